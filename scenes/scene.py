@@ -1,0 +1,300 @@
+"""The scene: everything about one situation that is not random."""
+
+import math
+import re
+import tomllib
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import tomli_w
+from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic.dataclasses import dataclass
+
+from scenes.errors import InputError
+from scenes.geometry import FloatArray, distance_to_segments
+
+PEDESTRIAN_RADIUS = 0.20
+"""Radius of a pedestrian's disc, m."""
+
+ROBOT_RADIUS = 0.25
+"""Radius of the robot's disc, m."""
+
+SHORTEST_WALL = 0.1
+"""Pedestrians feel a wall through points every 0.1 m along it, so a wall is at least that long, m."""
+
+MEAN_WALKING_SPEED = 1.34
+"""Mean desired speed of pedestrians, m/s (Helbing and Molnár 1995, section III)."""
+
+_SHORT_ARRAY = re.compile(r"\[\n\s*([^\[\]]+),\n\s*\]")
+_LINE_BREAK = re.compile(r",\n\s*")
+_STRICT = ConfigDict(extra="forbid", allow_inf_nan=False)
+
+Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0)]
+SpeedComponent = Annotated[float, Field(ge=-5.0, le=5.0)]
+Word = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
+Point = tuple[Coordinate, Coordinate]
+
+
+@dataclass(frozen=True, config=_STRICT)
+class Wall:
+    """A straight wall.
+
+    Attributes:
+        start: one end (x, y), m.
+        end: the other end (x, y), m.
+    """
+
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, config=_STRICT)
+class Pedestrian:
+    """A person who walks to a goal, or stands.
+
+    Attributes:
+        start: where the person is at time 0 (x, y), m.
+        goal: where the person wants to be (x, y), m; it means nothing to a person who stands.
+        desired_speed: the speed the person likes to walk at, m/s; 0 is a person who stands and
+            stays standing.
+        velocity: velocity at time 0 (vx, vy), m/s; left out, the person walks at the desired
+            speed towards the goal.
+    """
+
+    start: Point
+    goal: Point
+    desired_speed: Annotated[float, Field(ge=0.0, le=5.0)] = MEAN_WALKING_SPEED
+    velocity: tuple[SpeedComponent, SpeedComponent] | None = None
+
+
+@dataclass(frozen=True, config=_STRICT)
+class Robot:
+    """Where the robot is when it must choose, and where it is headed.
+
+    Attributes:
+        start: position at time 0 (x, y), m.
+        goal: position it should reach (x, y), m.
+        heading: direction it faces at time 0, rad, anticlockwise from x; left out, it faces
+            the goal.
+        speed: forward speed at time 0, m/s: the robot is under way when it must choose.
+    """
+
+    start: Point
+    goal: Point
+    heading: Annotated[float, Field(ge=-math.tau, le=math.tau)] | None = None
+    speed: Annotated[float, Field(ge=0.0, le=3.0)] = 1.0
+
+    @property
+    def start_heading(self) -> float:
+        """Direction faced at time 0, rad."""
+        if self.heading is not None:
+            return self.heading
+        return math.atan2(self.goal[1] - self.start[1], self.goal[0] - self.start[0])
+
+
+@dataclass(frozen=True, config=_STRICT)
+class Scene:
+    """Walls, pedestrians and the robot's task: one situation, with nothing random left in it.
+
+    Attributes:
+        name: what the scene is called; files made from it bear this name.
+        robot: the robot's start and goal.
+        pedestrians: the people, in a fixed order that arrays and groups refer to.
+        walls: straight walls.
+        groups: people who walk together, each group a tuple of indices into `pedestrians`.
+        family: kind of place: one of the four generated families, or a word of your own.
+        pattern: how people meet in it: one of the six patterns, or a word of your own.
+        number: which scene of a seeded series this is. It keys the noise, so two scenes of one
+            series are never shaken by the same random numbers.
+
+    Raises:
+        pydantic.ValidationError: if a value is out of range or the scene contradicts itself
+            (`load_scene` and `scene_from_toml` turn it into an `InputError` of one line).
+    """
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.\-]{0,63}$")]
+    robot: Robot
+    pedestrians: Annotated[tuple[Pedestrian, ...], Field(max_length=500)] = ()
+    walls: Annotated[tuple[Wall, ...], Field(max_length=500)] = ()
+    groups: tuple[tuple[int, ...], ...] = ()
+    family: Word = "custom"
+    pattern: Word = "custom"
+    number: Annotated[int, Field(ge=0, lt=2**31)] = 0
+
+    def __post_init__(self) -> None:
+        _check_walls(self)
+        _check_groups(self)
+        _check_robot(self)
+        _check_pedestrians(self)
+
+    @property
+    def wall_segments(self) -> FloatArray:
+        """Both ends of every wall, [W, 2, 2], m."""
+        return np.array([(wall.start, wall.end) for wall in self.walls]).reshape(-1, 2, 2)
+
+    @property
+    def starts(self) -> FloatArray:
+        """Where the pedestrians are at time 0, [P, 2], m."""
+        return np.array([person.start for person in self.pedestrians]).reshape(-1, 2)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Smallest box around walls, starts and the robot's goal: x0, y0, x1, y1 in m."""
+        points = np.concatenate(
+            [self.wall_segments.reshape(-1, 2), self.starts, [self.robot.start, self.robot.goal]]
+        )
+        (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
+        return float(x0), float(y0), float(x1), float(y1)
+
+
+def scene_to_toml(scene: Scene) -> str:
+    """The scene as TOML text, ready to edit; `scene_from_toml` reads it back exactly."""
+    text = tomli_w.dumps(_without_none(asdict(scene)))
+    return _SHORT_ARRAY.sub(lambda found: f"[{_LINE_BREAK.sub(', ', found[1])}]", text)
+
+
+def scene_from_toml(text: str, source: str = "scene") -> Scene:
+    """Read a scene from TOML text.
+
+    Args:
+        text: the TOML.
+        source: what messages call the text, for example the file's name.
+
+    Raises:
+        InputError: if the text is not TOML, has an unknown or missing key or a value that is not
+            allowed, or contradicts itself.
+    """
+    try:
+        return _SCENE.validate_python(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{source}: not TOML: {error}") from None
+    except ValidationError as error:
+        raise InputError(f"{source}: {one_line(error)}") from None
+
+
+def scene_from_file(path: Path) -> Scene:
+    """Read a scene from a TOML file.
+
+    Raises:
+        InputError: if the file cannot be read, or its text is not a scene.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise InputError(f"{path}: cannot be read as a scene: {reason}") from None
+    return scene_from_toml(text, source=str(path))
+
+
+def one_line(error: ValidationError) -> str:
+    """The first complaint of a failed validation: the field, what is allowed, what was given."""
+    first, others = error.errors()[0], error.error_count() - 1
+    field = _dotted(first["loc"])
+    message = first["msg"].removeprefix("Value error, ")
+    if first["type"] == "value_error":
+        said = message
+    elif first["type"] in ("unexpected_keyword_argument", "extra_forbidden"):
+        said = "unknown key"
+    elif first["type"] in ("missing", "missing_argument"):
+        said = "missing"
+    else:
+        said = f"{_short(first['input'])} is not allowed: {message[0].lower()}{message[1:]}"
+    more = f" (and {others} more)" if others else ""
+    return f"{field}: {said}{more}" if field else f"{said}{more}"
+
+
+def _dotted(location: tuple[int | str, ...]) -> str:
+    """`('walls', 0, 'start')` as `walls[0].start`."""
+    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in location]
+    return "".join(parts).removeprefix(".")
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _without_none(value: Any) -> Any:
+    """TOML has no null: a key whose value is None is left out."""
+    if isinstance(value, dict):
+        return {key: _without_none(item) for key, item in value.items() if item is not None}
+    if isinstance(value, list | tuple):
+        return [_without_none(item) for item in value]
+    return value
+
+
+def _check_walls(scene: Scene) -> None:
+    for index, wall in enumerate(scene.walls):
+        length = math.dist(wall.start, wall.end)
+        if length < SHORTEST_WALL:
+            raise ValueError(
+                f"walls[{index}] is {length:g} m long: at least {SHORTEST_WALL} m is needed"
+            )
+
+
+def _check_groups(scene: Scene) -> None:
+    count, group_of = len(scene.pedestrians), dict[int, int]()
+    for index, group in enumerate(scene.groups):
+        if len(group) < 2:
+            raise ValueError(f"groups[{index}] has {len(group)} members: at least 2 are needed")
+        for member in group:
+            if not 0 <= member < count:
+                raise ValueError(
+                    f"groups[{index}] names pedestrian {member}: there are {count}, numbered from 0"
+                )
+            if member in group_of:
+                raise ValueError(
+                    f"groups[{index}] names pedestrian {member}, who is in groups"
+                    f"[{group_of[member]}] already: a person is in one group at most"
+                )
+            group_of[member] = index
+
+
+def _check_robot(scene: Scene) -> None:
+    robot = scene.robot
+    if math.dist(robot.start, robot.goal) < ROBOT_RADIUS:
+        raise ValueError(
+            f"robot.goal is {math.dist(robot.start, robot.goal):g} m from robot.start: "
+            f"at least {ROBOT_RADIUS} m is needed"
+        )
+    _check_clear_of_walls(scene, "robot.start", np.array([robot.start]), ROBOT_RADIUS)
+
+
+def _check_pedestrians(scene: Scene) -> None:
+    for index, person in enumerate(scene.pedestrians):
+        if person.desired_speed > 0 and person.start == person.goal:
+            raise ValueError(
+                f"pedestrians[{index}] walks at {person.desired_speed:g} m/s but starts at its "
+                "goal: give it another goal, or desired_speed 0 to stand"
+            )
+    starts = scene.starts
+    _check_clear_of_walls(scene, "pedestrians[{}].start", starts, PEDESTRIAN_RADIUS)
+    apart = np.linalg.norm(starts[:, None] - starts[None], axis=-1)
+    for first, second in np.argwhere(np.triu(apart < PEDESTRIAN_RADIUS, k=1))[:1]:
+        raise ValueError(
+            f"pedestrians[{first}] and pedestrians[{second}] start {apart[first, second]:.2f} m "
+            f"apart, inside each other: at least {PEDESTRIAN_RADIUS} m is needed"
+        )
+    to_robot = np.linalg.norm(starts - np.array(scene.robot.start), axis=-1)
+    needed = PEDESTRIAN_RADIUS + ROBOT_RADIUS
+    for index in np.flatnonzero(to_robot < needed)[:1]:
+        raise ValueError(
+            f"pedestrians[{index}] starts {to_robot[index]:.2f} m from the robot, inside it: "
+            f"at least {needed:.2f} m is needed"
+        )
+
+
+def _check_clear_of_walls(scene: Scene, who: str, points: FloatArray, radius: float) -> None:
+    if not scene.walls or not len(points):
+        return
+    distance = distance_to_segments(points, scene.wall_segments)  # (points, walls)
+    for index, wall in np.argwhere(distance < radius)[:1]:
+        raise ValueError(
+            f"{who.format(index)} is {distance[index, wall]:.2f} m from walls[{wall}], inside it: "
+            f"at least {radius:.2f} m is needed"
+        )
+
+
+_SCENE = TypeAdapter(Scene)

@@ -1,0 +1,1 @@
+"""The orchestrator and everything a person touches."""

@@ -1,0 +1,12 @@
+"""What the studio raises; the command line turns each into one line and an exit code."""
+
+
+class InputError(ValueError):
+    """The user's input cannot be used (exit code 2).
+
+    The message is one line that names the option, what was given and what is allowed.
+    """
+
+
+class RunError(RuntimeError):
+    """The work failed while running, through no fault of the input (exit code 1)."""

@@ -1,0 +1,76 @@
+"""One palette for recordings, pictures and films.
+
+The seven action colours are told apart with every common form of colour blindness (they build on
+Okabe and Ito, "Color universal design", 2008) and stand out from both a white and a near-black
+ground. Vermilion red is kept for contact and used for nothing else; people are grey.
+"""
+
+from dataclasses import dataclass
+
+Colour = tuple[int, int, int]
+"""Red, green, blue, each 0 to 255."""
+
+ACTION_COLOURS: tuple[Colour, ...] = (
+    (0, 114, 178),  # blue
+    (86, 180, 233),  # sky blue
+    (140, 140, 140),  # grey
+    (0, 158, 115),  # bluish green
+    (230, 159, 0),  # orange
+    (170, 68, 153),  # purple
+    (136, 103, 53),  # brown
+)
+"""Colour of each action, in the order of the actions; a user's eighth action begins anew."""
+
+CONTACT: Colour = (213, 43, 30)
+"""Touching a pedestrian or a wall, and nothing else."""
+
+PEDESTRIAN: Colour = (120, 124, 130)
+WALL: Colour = (62, 66, 72)
+
+TEACHER_COLOURS: dict[str, Colour] = {
+    "eu": (90, 90, 90),
+    "tk": (51, 34, 136),
+    "strong": (204, 102, 119),
+}
+
+
+@dataclass(frozen=True)
+class Theme:
+    """The ground that things are drawn on.
+
+    Attributes:
+        ground: the page.
+        panel: a plot on the page.
+        grid: grid lines.
+        faint: minor text and axes.
+        ink: text.
+    """
+
+    ground: Colour
+    panel: Colour
+    grid: Colour
+    faint: Colour
+    ink: Colour
+
+
+LIGHT = Theme(
+    ground=(255, 255, 255),
+    panel=(249, 249, 250),
+    grid=(230, 231, 234),
+    faint=(112, 116, 122),
+    ink=(32, 35, 40),
+)
+
+
+def action_colour(index: int) -> Colour:
+    """The colour of the action at this place in the list of actions."""
+    return ACTION_COLOURS[index % len(ACTION_COLOURS)]
+
+
+def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
+    """The colour as it looks through at this opacity (0 to 1) on the ground."""
+    red, green, blue = (
+        round(opacity * over + (1.0 - opacity) * under)
+        for over, under in zip(colour, ground, strict=True)
+    )
+    return red, green, blue
