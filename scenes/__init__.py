@@ -3,14 +3,19 @@
 from scenes.actions import META_ACTIONS, MetaAction
 from scenes.errors import InputError
 from scenes.features import FEATURES
-from scenes.rollouts import Rollouts
+from scenes.noise import NO_NOISE, Noise
+from scenes.robot import Limits
+from scenes.rollouts import Rollouts, simulate
 from scenes.scene import Pedestrian, Robot, Scene, Wall, scene_from_toml, scene_to_toml
 
 __all__ = [
     "FEATURES",
     "META_ACTIONS",
+    "NO_NOISE",
     "InputError",
+    "Limits",
     "MetaAction",
+    "Noise",
     "Pedestrian",
     "Robot",
     "Rollouts",
@@ -18,4 +23,5 @@ __all__ = [
     "Wall",
     "scene_from_toml",
     "scene_to_toml",
+    "simulate",
 ]

@@ -1,4 +1,92 @@
-"""What a rollout is worth describing by: five features."""
+"""What a rollout is worth describing by: five features.
+
+Each is scaled by a fixed constant, never by the data, so that a reward θ means the same in every
+outcome bank.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenes.geometry import FloatArray, distance_to_segments
+from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
 """The features φ, in the order of every feature axis and of the reward θ."""
+
+CLEARANCE_SCALE = 2.0
+"""A gap of this many metres or more is clearance 1, m."""
+
+DEVIATION_SCALE = 0.5
+"""Pushing people this far off their paths, on average, is deviation 1, m."""
+
+PROGRESS_SPEED = 1.0
+"""Nearing the goal at this speed over the whole horizon is progress 1, m/s."""
+
+
+@dataclass(frozen=True)
+class Outcomes:
+    """What came of K rollouts under each of A actions.
+
+    Attributes:
+        features: [A, K, 5], scaled, in the order of `FEATURES`.
+        clearance_m: [A, K], smallest gap between the robot and any pedestrian, clipped to 0 to
+            2 m (2 m among no pedestrians), m.
+        deviation_m: [A, K], mean over pedestrians and time of the distance between a pedestrian's
+            path and the one without the robot, m.
+        progress_m: [A, K], how much closer the robot got to its goal, m.
+        contact_step: [A, K], first step at which the robot touches a pedestrian or a wall;
+            -1 if it never does.
+    """
+
+    features: FloatArray
+    clearance_m: FloatArray
+    deviation_m: FloatArray
+    progress_m: FloatArray
+    contact_step: NDArray[np.int64]
+
+
+def describe(
+    scene: Scene, robot: FloatArray, pedestrians: FloatArray, without_robot: FloatArray, dt: float
+) -> Outcomes:
+    """Describe rollouts by their features.
+
+    Args:
+        scene: for walls and the robot's goal.
+        robot: [A, K, T+1, 3], x and y in m, heading in rad.
+        pedestrians: [A, K, T+1, P, 2], m.
+        without_robot: [K, T+1, P, 2], m.
+        dt: length of a step, s.
+    """
+    place = robot[..., :2]
+    centres = np.linalg.norm(pedestrians - place[..., None, :], axis=-1)  # (A, K, T+1, P)
+    gap = centres - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
+    aside = np.linalg.norm(pedestrians - without_robot, axis=-1)  # (A, K, T+1, P)
+    deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])
+    to_goal = np.linalg.norm(place - np.array(scene.robot.goal), axis=-1)  # (A, K, T+1)
+    progress = to_goal[..., 0] - to_goal[..., -1]
+    turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
+
+    touches_wall = np.zeros((*place.shape[:3], 1), dtype=bool)
+    if scene.walls:
+        wall_gap = distance_to_segments(place, scene.wall_segments).min(axis=-1)
+        touches_wall = (wall_gap < ROBOT_RADIUS)[..., None]
+    touched = np.concatenate([gap < 0.0, touches_wall], axis=-1)  # (A, K, T+1, P+1)
+    collisions = touched.any(axis=2).sum(axis=-1)
+    in_contact = touched.any(axis=-1)
+    first = np.where(in_contact.any(axis=-1), in_contact.argmax(axis=-1), -1)
+
+    horizon = (robot.shape[2] - 1) * dt
+    features = np.stack(
+        [
+            clearance / CLEARANCE_SCALE,
+            deviation / DEVIATION_SCALE,
+            progress / (PROGRESS_SPEED * horizon),
+            1.0 / (1.0 + turning),
+            collisions.astype(np.float64),
+        ],
+        axis=-1,
+    )
+    return Outcomes(features, clearance, deviation, progress, first)

@@ -1,17 +1,27 @@
 """Simulate a scene under each action, many times."""
 
+import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenes.actions import MetaAction
+from scenes.actions import META_ACTIONS, MetaAction
+from scenes.crowd import Model, surroundings_of
+from scenes.errors import InputError
+from scenes.features import describe
 from scenes.geometry import FloatArray
+from scenes.noise import Noise, disturb
+from scenes.robot import Limits, drive
 from scenes.scene import Scene
 
-Model = Literal["extended", "helbing-molnar"]
 Engine = Literal["batched", "pysocialforce"]
+"""`batched` is compiled; `pysocialforce` is the library itself, the slow reference."""
+
+MOST_ROLLOUTS = 10_000
+LONGEST_HORIZON = 60.0
+"""Beyond this a meta-action held all the time describes no robot, s."""
 
 
 @dataclass(frozen=True)
@@ -22,16 +32,18 @@ class Rollouts:
         scene: what was simulated.
         actions: the A actions, in the order of axis A.
         seed: seed of the noise.
+        noise: how strongly everything was shaken.
+        limits: what the robot's motors can do.
         model: force set.
         engine: which engine ran.
-        wrap_angles: whether angles between directions were wrapped.
+        wrap_angles: False if pysocialforce's arithmetic was repeated.
         dt: length of a step, s.
         robot: [A, K, T+1, 3]: x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m: the same people under the same noise had the robot not
             been there.
         features: [A, K, 5], scaled, in the order of `FEATURES`.
-        clearance_m: [A, K]: smallest gap between robot and any pedestrian, m.
+        clearance_m: [A, K]: smallest gap between the robot and any pedestrian, within 0 to 2 m, m.
         deviation_m: [A, K]: mean distance of the pedestrians from their paths without the robot, m.
         progress_m: [A, K]: how much closer the robot got to its goal, m.
         contact_step: [A, K]: first step at which the robot touches a pedestrian or a wall;
@@ -41,6 +53,8 @@ class Rollouts:
     scene: Scene
     actions: tuple[MetaAction, ...]
     seed: int
+    noise: Noise
+    limits: Limits
     model: Model
     engine: Engine
     wrap_angles: bool
@@ -53,3 +67,128 @@ class Rollouts:
     deviation_m: FloatArray
     progress_m: FloatArray
     contact_step: NDArray[np.int64]
+
+    @property
+    def horizon(self) -> float:
+        """Simulated time, s."""
+        return (self.robot.shape[2] - 1) * self.dt
+
+
+def simulate(
+    scene: Scene,
+    actions: tuple[MetaAction, ...] = META_ACTIONS,
+    rollouts: int = 50,
+    seed: int = 0,
+    engine: Engine = "batched",
+    noise: Noise = Noise(),  # noqa: B008  # frozen
+    *,
+    model: Model = "extended",
+    horizon: float = 4.0,
+    dt: float = 0.1,
+    wrap_angles: bool = True,
+    limits: Limits = Limits(),  # noqa: B008  # frozen
+    threads: int | None = None,
+) -> Rollouts:
+    """Simulate a scene under each action, and once more without the robot.
+
+    The people follow the social force model and see the robot as one more person; the robot obeys
+    its command. Both engines give the same rollouts from the same noise.
+
+    Args:
+        scene: what to simulate.
+        actions: the commands to try.
+        rollouts: K, how often each is tried; the k-th try of every action has the same noise.
+        seed: of the noise.
+        engine: who computes.
+        noise: how strongly everything is shaken.
+        model: force set of the social force model.
+        horizon: simulated time, s.
+        dt: length of a step, s.
+        wrap_angles: True is right physics: angles between directions are taken around the circle,
+            gradients are exact, and a group pulls more on who has strayed further, so a rotated or
+            mirrored scene gives rotated or mirrored paths. False repeats pysocialforce 1.1.2 digit
+            for digit: it subtracts two arctangents without wrapping, takes gradients by one-sided
+            differences of 1 mm, and softens coherence by a distance that is always 0.
+        limits: what the robot's motors can do.
+        threads: for the batched engine; every processor if left out. The result is the same.
+
+    Raises:
+        InputError: if an argument is out of range.
+    """
+    steps = _check(actions, rollouts, seed, engine, model, horizon, dt)
+    disturbance = disturb(scene, noise, rollouts, steps, dt, seed)
+    driven = drive(scene, actions, disturbance, limits, dt)  # (A, K, T+1, 4)
+    surroundings = surroundings_of(scene)
+    nobody = np.empty((1, rollouts, steps + 1, 0, 4))
+    # Imported here: who only draws or reads scenes need not wait for a compiler.
+    if engine == "batched":
+        from scenes.batched import walk
+
+        def paths_among(robots: FloatArray) -> FloatArray:
+            return walk(
+                disturbance.crowd, surroundings, robots, model, wrap_angles, dt, threads=threads
+            )
+    else:
+        from scenes.reference import walk as walk_in_library
+
+        def paths_among(robots: FloatArray) -> FloatArray:
+            return walk_in_library(
+                disturbance.crowd, surroundings, robots, model, wrap_angles, dt
+            )
+
+    pedestrians = paths_among(driven[:, :, :, None])
+    without_robot = paths_among(nobody)[0]
+    robot = driven[..., :3]
+    outcomes = describe(scene, robot, pedestrians, without_robot, dt)
+    return Rollouts(
+        scene=scene,
+        actions=actions,
+        seed=seed,
+        noise=noise,
+        limits=limits,
+        model=model,
+        engine=engine,
+        wrap_angles=wrap_angles,
+        dt=dt,
+        robot=robot,
+        pedestrians=pedestrians,
+        without_robot=without_robot,
+        features=outcomes.features,
+        clearance_m=outcomes.clearance_m,
+        deviation_m=outcomes.deviation_m,
+        progress_m=outcomes.progress_m,
+        contact_step=outcomes.contact_step,
+    )
+
+
+def _check(
+    actions: tuple[MetaAction, ...],
+    rollouts: int,
+    seed: int,
+    engine: str,
+    model: str,
+    horizon: float,
+    dt: float,
+) -> int:
+    """Check what `simulate` was given; the number of steps."""
+    if not actions:
+        raise InputError("actions: none given, at least one is needed")
+    names = [action.name for action in actions]
+    if len(set(names)) < len(names):
+        raise InputError(f"actions: {', '.join(names)}: every action needs a name of its own")
+    if not 1 <= rollouts <= MOST_ROLLOUTS:
+        raise InputError(f"rollouts: {rollouts} is not allowed: 1 to {MOST_ROLLOUTS}")
+    if not 0 <= seed < 2**64:
+        raise InputError(f"seed: {seed} is not allowed: 0 to 2^64 - 1")
+    if engine not in get_args(Engine):
+        raise InputError(f"engine: {engine!r} is not known: {', '.join(get_args(Engine))}")
+    if model not in get_args(Model):
+        raise InputError(f"model: {model!r} is not known: {', '.join(get_args(Model))}")
+    if not (math.isfinite(dt) and 0.001 <= dt <= 0.5):
+        raise InputError(f"dt: {dt} s is not allowed: 0.001 to 0.5 s")
+    if not (math.isfinite(horizon) and dt <= horizon <= LONGEST_HORIZON):
+        raise InputError(f"horizon: {horizon} s is not allowed: {dt:g} to {LONGEST_HORIZON:g} s")
+    steps = round(horizon / dt)
+    if abs(steps * dt - horizon) > 1e-6:
+        raise InputError(f"horizon: {horizon} s is not allowed: a multiple of the step, {dt:g} s")
+    return steps

@@ -1,0 +1,82 @@
+"""What an engine is given: how people set out, and what surrounds them."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenes.geometry import FloatArray
+from scenes.scene import Scene
+
+Model = Literal["extended", "helbing-molnar"]
+"""A force set of the social force model."""
+
+WALL_POINTS_PER_METRE = 10.0
+"""People feel a wall through points this dense along it, 1/m (pysocialforce's resolution)."""
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """How P people set out in each of K rollouts, and what shakes them over T steps.
+
+    Attributes:
+        starts: [K, P, 2], m.
+        velocities: [K, P, 2], at time 0, m/s.
+        goals: [K, P, 2], m.
+        desired_speeds: [K, P], m/s; 0 is a person who stands.
+        accelerations: [K, T, P, 2], the fluctuation of each step, m/s².
+    """
+
+    starts: FloatArray
+    velocities: FloatArray
+    goals: FloatArray
+    desired_speeds: FloatArray
+    accelerations: FloatArray
+
+    @property
+    def rollouts(self) -> int:
+        """K."""
+        return self.starts.shape[0]
+
+    @property
+    def people(self) -> int:
+        """P."""
+        return self.starts.shape[1]
+
+    @property
+    def steps(self) -> int:
+        """T."""
+        return self.accelerations.shape[1]
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What stays the same in every rollout of a scene.
+
+    Attributes:
+        wall_points: for each wall, points along it, [n, 2], m.
+        groups: people who walk together, as indices.
+    """
+
+    wall_points: tuple[FloatArray, ...]
+    groups: tuple[tuple[int, ...], ...]
+
+    @property
+    def group_of(self) -> NDArray[np.int64]:
+        """Number of each grouped person's group, by person; people beyond the last are alone."""
+        members = [member for group in self.groups for member in group]
+        group_of = np.full(max(members, default=-1) + 1, -1, dtype=np.int64)
+        for number, group in enumerate(self.groups):
+            group_of[list(group)] = number
+        return group_of
+
+
+def surroundings_of(scene: Scene) -> Surroundings:
+    """The walls and groups of a scene as the forces see them."""
+    points = []
+    for start, end in scene.wall_segments:
+        # As pysocialforce samples obstacles; a wall of at least 0.1 m has at least one point.
+        count = max(1, int(np.linalg.norm(start - end) * WALL_POINTS_PER_METRE))
+        points.append(np.linspace(start, end, count))
+    return Surroundings(tuple(points), scene.groups)

@@ -1,0 +1,306 @@
+"""The social force model: one formula a function.
+
+Two force sets, as in pysocialforce 1.1.2, whose parameters these are:
+
+`extended`, after Moussaïd et al., "Experimental study of the behavioural mechanisms underlying
+self-organization in human crowds" (Proc. R. Soc. B, 2009) and "The walking behaviour of pedestrian
+social groups" (PLoS ONE, 2010); and `helbing-molnar`, after Helbing and Molnár, "Social force model
+for pedestrian dynamics" (Phys. Rev. E 51, 1995).
+
+A force is an acceleration in m/s². Every formula takes and returns plain numbers, without branches
+that the compiler could not turn into selections: the engine calls them in a loop over lanes.
+"""
+
+import math
+from typing import NamedTuple
+
+from scenes.lanes import angle_of, exp_of_negative, lane
+
+Vector = tuple[float, float]
+
+
+class Extended(NamedTuple):
+    """Parameters of the `extended` force set.
+
+    Attributes:
+        relaxation_time: time in which a person takes up the desired velocity, s.
+        goal_threshold: nearer to the goal than this a person brakes, m.
+        social_factor: strength of the force between people, m/s².
+        velocity_weight: λ, how much relative velocity turns the direction of interaction, s/m.
+        range_per_interaction: γ, range of the force per length of the interaction vector, m.
+        angular_width: n', decay with angle of the part that brakes, 1/(m rad).
+        angular_width_turn: n, decay with angle of the part that turns, 1/(m rad).
+        wall_factor: strength of a wall point, m/s².
+        wall_range: σ, decay of the wall force, m.
+        wall_threshold: walls further away than this (and the body radius) are not felt, m.
+        body_radius: radius at which a person meets a wall, m.
+        coherence_factor: strength of the pull to the group's centre, 1/s².
+        repulsion_factor: strength of the push between members too close, 1/s².
+        repulsion_threshold: members closer than this push one another, m.
+        gaze_factor: strength of the force that keeps the group in view, m/s².
+    """
+
+    relaxation_time: float = 0.5
+    goal_threshold: float = 0.2
+    social_factor: float = 5.1
+    velocity_weight: float = 2.0
+    range_per_interaction: float = 0.35
+    angular_width: float = 3.0
+    angular_width_turn: float = 2.0
+    wall_factor: float = 10.0
+    wall_range: float = 0.2
+    wall_threshold: float = 3.0
+    body_radius: float = 0.35
+    coherence_factor: float = 1.0
+    repulsion_factor: float = 1.0
+    repulsion_threshold: float = 0.55
+    gaze_factor: float = 1.0
+
+
+class HelbingMolnar(NamedTuple):
+    """Parameters of the `helbing-molnar` force set.
+
+    Attributes:
+        relaxation_time: τ, time in which a person takes up the desired velocity, s.
+        pair_factor: strength of the force between people, dimensionless.
+        pair_potential: V⁰, height of the potential around a person, m²/s².
+        pair_range: σ, decay of that potential, m.
+        sight_angle: φ, half the angle of sight, rad.
+        out_of_sight: c, weight of what is behind a person, dimensionless.
+        wall_potential: U⁰, height of the potential of a wall, m²/s².
+        wall_range: R, decay of that potential, m.
+    """
+
+    relaxation_time: float = 0.5
+    pair_factor: float = 1.5
+    pair_potential: float = 2.1
+    pair_range: float = 0.3
+    sight_angle: float = math.radians(100.0)
+    out_of_sight: float = 0.5
+    wall_potential: float = 10.0
+    wall_range: float = 0.2
+
+
+EXTENDED = Extended()
+HELBING_MOLNAR = HelbingMolnar()
+
+MAX_SPEED_FACTOR = 1.3
+"""Nobody walks faster than this times the desired speed (Helbing and Molnár 1995, section III)."""
+
+ARRIVAL_DISTANCE = 0.5
+"""Nearer to the goal than this a person has arrived and stands, m."""
+
+SMALLEST_ANGLE = 1e-9
+"""Angles below this are no side to pass on, rad.
+
+The turning force jumps with the sign of an angle. In a perfectly symmetric meeting that angle is
+rounding error, and the side would be drawn by the last bit of a coordinate.
+"""
+
+DIFFERENCE_STEP = 1e-3
+"""Step of the library's one-sided difference quotients, m."""
+
+
+@lane
+def unit(x: float, y: float) -> tuple[float, float, float]:
+    """Direction and length of a vector; the zero vector has the zero direction."""
+    length = math.sqrt(x * x + y * y)
+    inverse = 1.0 / (length if length > 0.0 else 1.0)
+    return x * inverse, y * inverse, length
+
+
+@lane
+def relaxation(
+    ex: float, ey: float, distance: float, speed: float, vx: float, vy: float, p: Extended
+) -> Vector:
+    """Towards the desired velocity, or to a halt at the goal (Moussaïd et al. 2009, eq. 2.2).
+
+    (ex, ey) points to the goal at this distance.
+    """
+    pull = speed if distance > p.goal_threshold else 0.0
+    return (pull * ex - vx) / p.relaxation_time, (pull * ey - vy) / p.relaxation_time
+
+
+@lane
+def _turn_and_brake(
+    tx: float, ty: float, angle: float, distance: float, reach: float, p: Extended
+) -> Vector:
+    """The two parts of the social force, along t and to its left (Moussaïd et al. 2009, eq. 2.5).
+
+    `reach` is B = γ‖D‖, m.
+    """
+    decay = distance / (reach if reach > 0.0 else 1e-30)
+    brake_width = p.angular_width * reach * angle
+    turn_width = p.angular_width_turn * reach * angle
+    brake = exp_of_negative(-decay - brake_width * brake_width)
+    turn = exp_of_negative(-decay - turn_width * turn_width)
+    turn = -turn if angle > 0.0 else turn
+    turn = 0.0 if angle == 0.0 else turn
+    return brake * tx - turn * ty, brake * ty + turn * tx
+
+
+@lane
+def social(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
+    """Force from one other person (Moussaïd et al. 2009, eqs 2.3 to 2.5).
+
+    (rx, ry) is own position minus the other's; (wx, wy) the other's velocity minus one's own. The
+    angle from the line between the two to the interaction vector D is taken in one piece, from
+    cross and dot product, so that it is the same whichever way the axes point.
+    """
+    ux, uy, distance = unit(rx, ry)
+    tx, ty, length = unit(p.velocity_weight * wx + ux, p.velocity_weight * wy + uy)
+    angle = angle_of(ux * ty - uy * tx, ux * tx + uy * ty)
+    angle = angle if abs(angle) > SMALLEST_ANGLE else 0.0
+    return _turn_and_brake(tx, ty, angle, distance, p.range_per_interaction * length, p)
+
+
+@lane
+def social_as_in_library(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
+    """As `social`, with the angle as pysocialforce takes it: a difference of two angles, unwrapped.
+
+    For two people in line along -x the difference jumps by 2π, and the force all but vanishes.
+    """
+    ux, uy, distance = unit(rx, ry)
+    tx, ty, length = unit(p.velocity_weight * wx + ux, p.velocity_weight * wy + uy)
+    angle = angle_of(ty, tx) - angle_of(uy, ux)
+    return _turn_and_brake(tx, ty, angle, distance, p.range_per_interaction * length, p)
+
+
+@lane
+def wall_point(rx: float, ry: float, p: Extended) -> Vector:
+    """Push of one point of a wall; (rx, ry) points from it to the person.
+
+    Decays exponentially (Moussaïd et al. 2009, section 2d). The caller sums over the points of a
+    wall, as pysocialforce does, and multiplies by exp(body radius/σ), which turns the decay with
+    distance into one with the gap.
+    """
+    ux, uy, distance = unit(rx, ry)
+    gap = distance - p.body_radius
+    felt = gap < p.wall_threshold + p.body_radius
+    push = exp_of_negative(distance * -(1.0 / p.wall_range)) if felt else 0.0
+    return push * ux, push * uy
+
+
+@lane
+def coherence(cx: float, cy: float, size: float) -> Vector:
+    """Pull to the group's centre of mass, (cx, cy) away (Moussaïd et al. 2010, eq. 4).
+
+    Softened by a hyperbolic tangent around the distance (size - 1)/2, as in pedsim_ros.
+    """
+    distance = math.sqrt(cx * cx + cy * cy)
+    # (tanh(z) + 1)/2 = 1/(1 + exp(-2z)), written for an exponent that is never positive.
+    z = 2.0 * (distance - (size - 1.0) / 2.0)
+    e = exp_of_negative(-abs(z))
+    soft = (1.0 if z > 0.0 else e) / (1.0 + e)
+    return soft * cx, soft * cy
+
+
+@lane
+def coherence_as_in_library(cx: float, cy: float, size: float) -> Vector:
+    """As `coherence`, softened as by pysocialforce, which takes every distance for 0 here."""
+    e = math.exp(-(size - 1.0))
+    soft = e / (1.0 + e)
+    return soft * cx, soft * cy
+
+
+@lane
+def repulsion(rx: float, ry: float, p: Extended) -> Vector:
+    """Push from a member who is too close, along own minus the other's position."""
+    close = math.sqrt(rx * rx + ry * ry) <= p.repulsion_threshold
+    return (rx if close else 0.0), (ry if close else 0.0)
+
+
+@lane
+def gaze(ex: float, ey: float, goal_distance: float, cx: float, cy: float) -> Vector:
+    """Walk so that the others, whose centre is (cx, cy) away, stay in view.
+
+    Slows who is ahead and speeds up who is behind (Moussaïd et al. 2010, eq. 3, in the form of
+    pedsim_ros).
+    """
+    ahead = ex * cx + ey * cy
+    pull = ahead / (goal_distance if goal_distance > 0.0 else 1e30)
+    return pull * ex, pull * ey
+
+
+@lane
+def attraction(
+    ex: float, ey: float, speed: float, vx: float, vy: float, p: HelbingMolnar
+) -> Vector:
+    """Towards the desired velocity (Helbing and Molnár 1995, eq. 2)."""
+    return (speed * ex - vx) / p.relaxation_time, (speed * ey - vy) / p.relaxation_time
+
+
+@lane
+def _semi_minor_axis(rx: float, ry: float, sx: float, sy: float) -> float:
+    """Semi-minor axis b of the ellipse around another's next step s, m.
+
+    2b = √((‖r‖ + ‖r - s‖)² - ‖s‖²) (Helbing and Molnár 1995, eq. 4).
+    """
+    qx, qy = rx - sx, ry - sy
+    around = math.sqrt(rx * rx + ry * ry) + math.sqrt(qx * qx + qy * qy)
+    square = around * around - (sx * sx + sy * sy)
+    return 0.5 * math.sqrt(square if square > 0.0 else 0.0)
+
+
+@lane
+def pair(
+    rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar
+) -> Vector:
+    """Negative gradient of the potential around another person (Helbing and Molnár 1995, eq. 3).
+
+    (rx, ry) is own position minus the other's, (sx, sy) the other's next step Δt v e.
+    """
+    ux, uy, near = unit(rx, ry)
+    wx, wy, far = unit(rx - sx, ry - sy)
+    b = _semi_minor_axis(rx, ry, sx, sy)
+    strength = p.pair_potential / p.pair_range * exp_of_negative(-b / p.pair_range)
+    # ∇b = (‖r‖ + ‖r - s‖)/(4b) (r/‖r‖ + (r - s)/‖r - s‖); on the step itself b = 0 and the two
+    # directions cancel, so the floor only keeps 0/0 away.
+    slope = strength * (near + far) / (4.0 * (b if b > 1e-9 else 1e-9))
+    return slope * (ux + wx), slope * (uy + wy)
+
+
+@lane
+def pair_as_in_library(
+    rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar
+) -> Vector:
+    """As `pair`, with the gradient as pysocialforce takes it: by one-sided differences."""
+    here = exp_of_negative(-_semi_minor_axis(rx, ry, sx, sy) / p.pair_range)
+    right = exp_of_negative(-_semi_minor_axis(rx + DIFFERENCE_STEP, ry, sx, sy) / p.pair_range)
+    above = exp_of_negative(-_semi_minor_axis(rx, ry + DIFFERENCE_STEP, sx, sy) / p.pair_range)
+    strength = -p.pair_potential / DIFFERENCE_STEP
+    return strength * (right - here), strength * (above - here)
+
+
+@lane
+def in_sight(ex: float, ey: float, fx: float, fy: float, p: HelbingMolnar) -> Vector:
+    """The force as it is felt: weaker from behind (Helbing and Molnár 1995, eq. 7)."""
+    along = -(ex * fx + ey * fy)
+    seen = along > math.sqrt(fx * fx + fy * fy) * math.cos(p.sight_angle)
+    weight = 1.0 if seen else p.out_of_sight
+    return weight * fx, weight * fy
+
+
+@lane
+def wall_gradient(rx: float, ry: float, p: HelbingMolnar) -> Vector:
+    """Negative gradient of a wall's potential (Helbing and Molnár 1995, eq. 5).
+
+    (rx, ry) points from the wall's nearest point to the person.
+    """
+    ux, uy, distance = unit(rx, ry)
+    push = p.wall_potential / p.wall_range * exp_of_negative(-distance / p.wall_range)
+    return push * ux, push * uy
+
+
+@lane
+def wall_gradient_as_in_library(rx: float, ry: float, p: HelbingMolnar) -> Vector:
+    """As `wall_gradient`, with the gradient as pysocialforce takes it: by one-sided differences."""
+    _, _, distance = unit(rx, ry)
+    _, _, right = unit(rx + DIFFERENCE_STEP, ry)
+    _, _, above = unit(rx, ry + DIFFERENCE_STEP)
+    here = exp_of_negative(-distance / p.wall_range)
+    strength = -p.wall_potential / DIFFERENCE_STEP
+    return (
+        strength * (exp_of_negative(-right / p.wall_range) - here),
+        strength * (exp_of_negative(-above / p.wall_range) - here),
+    )

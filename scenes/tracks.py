@@ -1,0 +1,489 @@
+"""Scenes from real crowds: recordings of pedestrians in the EWAP format.
+
+A recording is a folder that holds `obsmat.txt`: a row for each person in each annotated frame, with
+the columns frame, person, x, z, y, vx, vz, vy (m and m/s, z up). Beside it there may be
+`groups.txt` (a line for each group, the numbers of its members) and `map.xml` (what stands in the
+way: lines and circles). `destinations.txt` is not read: it lists places where people of the whole
+recording went, not who went where, and the tracks themselves say that better.
+
+The format and two recordings are from Pellegrini, Ess, Schindler and van Gool, "You'll never walk
+alone: modeling social behavior for multi-target tracking", ICCV 2009; the maps are from Amirian et
+al., "OpenTraj", ACCV 2020.
+"""
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from scenes.errors import InputError
+from scenes.geometry import FloatArray, distance_to_segments
+from scenes.scene import (
+    PEDESTRIAN_RADIUS,
+    ROBOT_RADIUS,
+    SHORTEST_WALL,
+    Pedestrian,
+    Robot,
+    Scene,
+    Wall,
+    one_line,
+)
+
+STANDING_SPEED = 0.2
+"""Who is slower than this at the frame stands, m/s."""
+
+_COLUMNS = ("frame", "person", "x", "z", "y", "vx", "vz", "vy")
+
+_FAR = 40.0
+"""How far away goals lie, m: further than anybody walks in ten seconds."""
+
+_END_IS_NEAR = 1.0
+"""A track that ends within this distance says nothing of where the person is headed, m."""
+
+_ROBOT_APART = 1.2
+"""Smallest distance from the robot's start to a person, where the studio chooses it, m."""
+
+_ROBOT_NEAR = 5.0
+"""Largest such distance to the nearest person, if there is room, m."""
+
+_ROBOT_TASK = 8.0
+"""Distance from the robot's start to its goal, where the studio chooses it, m."""
+
+_MARGIN = 1e-6
+"""Who is moved to an allowed distance is moved this much further, against rounding, m."""
+
+Position = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Tracks:
+    """A recording: N annotations, sorted by frame and then by person.
+
+    Attributes:
+        name: what the recording is called.
+        frames: [N], number of the video frame.
+        people: [N], number of the person.
+        positions: [N, 2], m.
+        velocities: [N, 2], m/s.
+        walls: what stands in the way.
+        groups: numbers of the people who belong together, in the order of the file.
+    """
+
+    name: str
+    frames: NDArray[np.int64]
+    people: NDArray[np.int64]
+    positions: FloatArray
+    velocities: FloatArray
+    walls: tuple[Wall, ...]
+    groups: tuple[tuple[int, ...], ...]
+
+
+def scene_from_tracks(
+    path: Path,
+    frame: int,
+    robot_start: Position | None = None,
+    robot_goal: Position | None = None,
+) -> Scene:
+    """Read a recording and make a scene of one of its moments; see `scene_at`.
+
+    Args:
+        path: the recording's folder, or its file of annotations.
+        frame: number of an annotated frame.
+        robot_start: where the robot starts (x, y), m; None looks for a telling place.
+        robot_goal: where the robot is headed (x, y), m; None looks for one.
+
+    Raises:
+        InputError: if the recording cannot be read, or no such scene can be made of it.
+    """
+    return scene_at(read_tracks(path), frame, robot_start, robot_goal)
+
+
+def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
+    """The frames with most people, most first, then the earlier: (frame, people).
+
+    Args:
+        path: the recording's folder, or its file of annotations.
+        count: how many frames, at least 1.
+
+    Raises:
+        InputError: if the recording cannot be read, or the count is below 1.
+    """
+    if count < 1:
+        raise InputError(f"count: {count} is not allowed: at least 1")
+    frames, people = np.unique(read_tracks(path).frames, return_counts=True)
+    order = np.lexsort((frames, -people))[:count]
+    return [(int(frames[i]), int(people[i])) for i in order]
+
+
+def scene_at(
+    tracks: Tracks,
+    frame: int,
+    robot_start: Position | None = None,
+    robot_goal: Position | None = None,
+) -> Scene:
+    """The scene of one moment of a recording, with a robot that crosses it.
+
+    People start where they were, as fast as they were. They like to walk at the mean speed of the
+    rest of their track, towards where it ends and on beyond: the force model stops people at their
+    goals, the camera's view does not. Whoever is slower than `STANDING_SPEED` stands. Some
+    annotations lie inside a wall or another person; such people are moved out, as little as can be
+    (to within 1 cm).
+
+    Where the robot's start or goal is left open, it is placed, or headed, so that it meets as many
+    people as possible in the next four seconds (found by trial, the same each time). A start that
+    is left open lies 3 m or more from the people's middle, or from the goal if one is given.
+
+    Args:
+        tracks: the recording.
+        frame: number of an annotated frame; the scene's number.
+        robot_start: where the robot starts (x, y), m; None looks for a telling place.
+        robot_goal: where the robot is headed (x, y), m; None looks for one.
+
+    Raises:
+        InputError: if nobody is annotated at the frame, or the robot would start inside a person
+            or a wall.
+    """
+    now = _at_frame(tracks, frame)
+    people = tracks.people[now]
+    segments = np.array([(w.start, w.end) for w in tracks.walls]).reshape(-1, 2, 2)
+    starts = _moved_clear(tracks.positions[now], segments)
+    try:
+        return Scene(
+            name=_scene_name(tracks.name, frame),
+            robot=_robot(starts, tracks.velocities[now], segments, robot_start, robot_goal),
+            pedestrians=tuple(
+                _pedestrian(tracks, person, frame, start)
+                for person, start in zip(people, starts, strict=True)
+            ),
+            walls=tracks.walls,
+            groups=_groups_present(tracks.groups, people),
+            family="tracks",
+            pattern="recorded",
+            number=frame,
+        )
+    except ValidationError as error:
+        raise InputError(f"{tracks.name}, frame {frame}: {one_line(error)}") from None
+
+
+# Reading
+
+
+def read_tracks(path: Path) -> Tracks:
+    """Read a recording.
+
+    Args:
+        path: the recording's folder, or its file of annotations.
+
+    Raises:
+        InputError: if a file is missing or malformed.
+    """
+    file = path / "obsmat.txt" if path.is_dir() else path
+    table = _read_table(file)
+    frames, people = table[:, 0].astype(np.int64), table[:, 1].astype(np.int64)
+    order = np.lexsort((people, frames))
+    frames, people = frames[order], people[order]
+    twice = np.flatnonzero((np.diff(frames) == 0) & (np.diff(people) == 0))
+    for row in twice[:1]:
+        raise InputError(f"{file}: person {people[row]} is annotated twice at frame {frames[row]}")
+    return Tracks(
+        name=file.resolve().parent.name if file.name == "obsmat.txt" else file.stem,
+        frames=frames,
+        people=people,
+        positions=table[order][:, (2, 4)],
+        velocities=table[order][:, (5, 7)],
+        walls=_read_map(file.with_name("map.xml")),
+        groups=_read_groups(file.with_name("groups.txt")),
+    )
+
+
+def _read_table(file: Path) -> FloatArray:
+    lines = [line for line in _read_text(file).splitlines() if line.strip()]
+    if not lines:
+        raise InputError(f"{file}: no annotations in it")
+    columns = len(lines[0].split())
+    if columns != len(_COLUMNS):
+        raise InputError(
+            f"{file}: {columns} columns: {len(_COLUMNS)} are needed ({', '.join(_COLUMNS)})"
+        )
+    try:
+        table: FloatArray = np.loadtxt(lines, comments=None, ndmin=2)
+    except ValueError as error:
+        raise InputError(f"{file}: {str(error).split(';')[0]}") from None
+    for row, column in np.argwhere(~np.isfinite(table))[:1]:
+        raise InputError(
+            f"{file}: {_COLUMNS[column]} is {table[row, column]} in row {row + 1}: "
+            "a finite number is needed"
+        )
+    numbers = table[:, :2]
+    for row, column in np.argwhere((numbers != np.floor(numbers)) | (np.abs(numbers) > 2**31))[:1]:
+        raise InputError(
+            f"{file}: {_COLUMNS[column]} is {numbers[row, column]:g} in row {row + 1}: "
+            "a whole number is needed"
+        )
+    return table
+
+
+def _read_groups(file: Path) -> tuple[tuple[int, ...], ...]:
+    """A group for each line that is not empty; none without the file."""
+    if not file.exists():
+        return ()
+    groups = []
+    for number, line in enumerate(_read_text(file).splitlines(), start=1):
+        try:
+            groups.append(tuple(int(word) for word in line.split()))
+        except ValueError:
+            raise InputError(
+                f"{file}: line {number} is {line.strip()!r}: numbers of people are needed"
+            ) from None
+    return tuple(group for group in groups if group)
+
+
+def _read_map(file: Path) -> tuple[Wall, ...]:
+    """Lines as walls, circles as polygons; none without the file."""
+    if not file.exists():
+        return ()
+    try:
+        root = ElementTree.fromstring(_read_text(file))
+    except ElementTree.ParseError as error:
+        raise InputError(f"{file}: not XML: {error}") from None
+    walls = []
+    # {*}: with or without a namespace
+    for line in root.findall(".//{*}Line"):
+        x1, y1, x2, y2 = (_number(file, line, key) for key in ("x1", "y1", "x2", "y2"))
+        walls.append(_long_enough((x1, y1), (x2, y2)))
+    for circle in root.findall(".//{*}Circle"):
+        x, y, radius = (_number(file, circle, key) for key in ("x", "y", "radius"))
+        walls.extend(_polygon(x, y, radius))
+    return tuple(walls)
+
+
+def _read_text(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise InputError(f"{file}: cannot be read: {reason}") from None
+
+
+def _number(file: Path, element: ElementTree.Element, key: str) -> float:
+    text = element.get(key, "nothing")
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        tag = element.tag.rpartition("}")[2]
+        raise InputError(f"{file}: {tag} has {key} {text!r}: a finite number is needed")
+    return value
+
+
+def _long_enough(start: Position, end: Position) -> Wall:
+    """The wall between two points, lengthened about its middle if it is too short to be one."""
+    length = math.dist(start, end)
+    if length >= SHORTEST_WALL:
+        return Wall(start, end)
+    x, y = 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])
+    along = ((end[0] - start[0]) / length, (end[1] - start[1]) / length) if length else (1.0, 0.0)
+    half = 0.5 * SHORTEST_WALL + _MARGIN
+    return Wall(
+        (x - half * along[0], y - half * along[1]), (x + half * along[0], y + half * along[1])
+    )
+
+
+def _polygon(x: float, y: float, radius: float) -> Iterator[Wall]:
+    """A circle as a polygon with corners on it and sides of at least `SHORTEST_WALL`.
+
+    A circle too small even for a triangle is drawn larger.
+    """
+    side = SHORTEST_WALL + _MARGIN
+    radius = max(abs(radius), side / (2.0 * math.sin(math.pi / 3.0)))
+    sides = min(24, int(math.pi / math.asin(0.5 * side / radius) + _MARGIN))
+    angles = [math.tau * index / sides for index in range(sides + 1)]
+    corners = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
+    yield from (Wall(*ends) for ends in pairwise(corners))
+
+
+# People
+
+
+def _at_frame(tracks: Tracks, frame: int) -> slice:
+    """The annotations of one frame."""
+    first, end = np.searchsorted(tracks.frames, (frame, frame + 1))
+    if first == end:
+        nearest = dict.fromkeys(int(near) for near in tracks.frames[max(0, first - 1) : first + 1])
+        raise InputError(
+            f"frame: nobody is annotated at frame {frame} of {tracks.name}: the nearest with "
+            f"people: {' and '.join(str(near) for near in nearest)}"
+        )
+    return slice(int(first), int(end))
+
+
+def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> Pedestrian:
+    later = (tracks.people == person) & (tracks.frames >= frame)
+    positions, velocities = tracks.positions[later], tracks.velocities[later]
+    place = _position(start)
+    speeds = np.hypot(velocities[:, 0], velocities[:, 1])
+    if speeds[0] < STANDING_SPEED:
+        return Pedestrian(place, goal=place, desired_speed=0.0)
+    ahead = positions[-1] - start
+    if np.hypot(*ahead) < _END_IS_NEAR:
+        ahead = velocities[0]
+    goal = start + _FAR * ahead / np.hypot(*ahead)
+    return Pedestrian(place, _position(goal), float(speeds.mean()), _position(velocities[0]))
+
+
+def _groups_present(
+    groups: tuple[tuple[int, ...], ...], people: NDArray[np.int64]
+) -> tuple[tuple[int, ...], ...]:
+    """Groups with two members present or more, as places in the list of people.
+
+    A person belongs to the first such group only.
+    """
+    free = {int(person): place for place, person in enumerate(people)}
+    present = []
+    for group in groups:
+        members = [person for person in dict.fromkeys(group) if person in free]
+        if len(members) > 1:
+            present.append(tuple(free.pop(person) for person in members))
+    return tuple(present)
+
+
+def _moved_clear(positions: FloatArray, segments: FloatArray) -> FloatArray:
+    """The positions, [P, 2], with those inside a wall or another person moved out of it."""
+    clear = positions.copy()
+    for index in range(len(clear)):
+        others = np.delete(clear, index, axis=0)
+        for place in _rings_around(clear[index]):
+            free = _gap_to_people(place, others) >= PEDESTRIAN_RADIUS
+            free &= _gap_to_walls(place, segments) >= PEDESTRIAN_RADIUS
+            if free.any():
+                clear[index] = place[np.flatnonzero(free)[0]]
+                break
+    return clear
+
+
+def _rings_around(point: FloatArray) -> Iterator[FloatArray]:
+    """The point itself, [1, 2], then ever wider rings of points about it, [72, 2], up to 3 m."""
+    yield point[None]
+    angles = np.linspace(0.0, math.tau, 72, endpoint=False)
+    directions = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    for step in range(1, 301):
+        yield point + 0.01 * step * directions
+
+
+def _gap_to_people(points: FloatArray, people: FloatArray) -> FloatArray:
+    """Distance of each point, [N, 2], to the nearest of the people, [N]."""
+    apart = np.linalg.norm(points[:, None] - people, axis=-1)
+    nearest: FloatArray = apart.min(axis=1, initial=np.inf)
+    return nearest
+
+
+def _gap_to_walls(points: FloatArray, segments: FloatArray) -> FloatArray:
+    """Distance of each point, [N, 2], to the nearest wall, [N]."""
+    nearest: FloatArray = distance_to_segments(points, segments).min(axis=1, initial=np.inf)
+    return nearest
+
+
+# The robot
+
+
+def _robot(
+    starts: FloatArray,
+    velocities: FloatArray,
+    segments: FloatArray,
+    start: Position | None,
+    goal: Position | None,
+) -> Robot:
+    """The robot's task: as given, and what is not given so that it meets as many as possible.
+
+    Of the places and directions tried, the best is where most people would come close within four
+    seconds if everybody, robot and people, went straight on, and where no wall is in the way.
+    """
+    if start is not None:
+        _check_robot_start(start, starts, segments)
+    if start is not None and goal is not None:
+        return Robot(start, goal)
+    moving = np.hypot(velocities[:, 0], velocities[:, 1]) >= STANDING_SPEED
+    middle = (starts[moving] if moving.any() else starts).mean(axis=0)
+    if start is not None:
+        tos = np.array(start) + _directions()
+        froms = np.broadcast_to(np.array(start), tos.shape)
+    else:
+        target = middle if goal is None else np.array(goal)
+        froms = _free_places(target, starts, segments)
+        tos = np.broadcast_to(target, froms.shape)
+    headings = (tos - froms) / np.linalg.norm(tos - froms, axis=1)[:, None]
+    best = int(np.argmax(_telling(froms, headings, starts, velocities, segments)))
+    onwards = np.round(froms[best] + _ROBOT_TASK * headings[best], 2)
+    return Robot(
+        _position(froms[best]) if start is None else start,
+        _position(onwards) if goal is None else goal,
+    )
+
+
+def _free_places(point: FloatArray, starts: FloatArray, segments: FloatArray) -> FloatArray:
+    """Places on rings about a point, clear of people and walls but near people, [N, 2]."""
+    rings = [point + radius * _directions() for radius in (4.0, 3.0, 5.0, 6.0, 8.0, 12.0, 20.0)]
+    places: FloatArray = np.concatenate(rings).round(2)
+    to_people = _gap_to_people(places, starts)
+    free = (to_people >= _ROBOT_APART) & (_gap_to_walls(places, segments) >= 2.0 * ROBOT_RADIUS)
+    if not free.any():
+        raise InputError("robot_start: no place near the people is free: give one")
+    near = free & (to_people <= _ROBOT_NEAR)
+    return places[near if near.any() else free]
+
+
+def _directions() -> FloatArray:
+    """Sixteen directions, [16, 2]."""
+    angles = np.linspace(0.0, math.tau, 16, endpoint=False)
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+
+
+def _telling(
+    froms: FloatArray,
+    headings: FloatArray,
+    starts: FloatArray,
+    velocities: FloatArray,
+    segments: FloatArray,
+) -> FloatArray:
+    """How much happens to a robot that sets off straight at 1 m/s from each place, [N]."""
+    times = np.linspace(1.0, 4.0, 13)[:, None, None]
+    robots = froms + times * headings  # (T, N, 2)
+    people = starts + times * velocities  # (T, P, 2)
+    gaps = np.linalg.norm(robots[:, :, None] - people[:, None], axis=-1)  # (T, N, P)
+    met: FloatArray = np.exp(-gaps.min(axis=0)).sum(axis=1)
+    walls = np.array([_gap_to_walls(robot, segments) for robot in robots])  # (T, N)
+    met[walls.min(axis=0) < 2.0 * ROBOT_RADIUS] = -1.0
+    return met
+
+
+def _check_robot_start(start: Position, starts: FloatArray, segments: FloatArray) -> None:
+    place = np.array([start])
+    gaps = {
+        "person": (_gap_to_people(place, starts)[0], PEDESTRIAN_RADIUS + ROBOT_RADIUS),
+        "wall": (_gap_to_walls(place, segments)[0], ROBOT_RADIUS),
+    }
+    for what, (gap, needed) in gaps.items():
+        if gap < needed:
+            raise InputError(
+                f"robot_start: ({start[0]:g}, {start[1]:g}) is {gap:.2f} m from the nearest "
+                f"{what}, inside it: at least {needed:.2f} m is needed"
+            )
+
+
+def _position(point: FloatArray) -> Position:
+    return float(point[0]), float(point[1])
+
+
+def _scene_name(name: str, frame: int) -> str:
+    """A name that is a file's: the recording's and the frame."""
+    ending = f"-{frame}"
+    plain = re.sub(r"[^A-Za-z0-9_.\-]", "_", name).lstrip("_.-") or "tracks"
+    return plain[: 64 - len(ending)] + ending
