@@ -2,16 +2,28 @@
 
 from scenes.actions import META_ACTIONS, MetaAction
 from scenes.errors import InputError
+from scenes.families import FAMILIES, PATTERNS, load_scene, sample_scene
 from scenes.features import FEATURES
 from scenes.noise import NO_NOISE, Noise
 from scenes.robot import Limits
-from scenes.rollouts import Rollouts, simulate
-from scenes.scene import Pedestrian, Robot, Scene, Wall, scene_from_toml, scene_to_toml
+from scenes.rollouts import Rollouts, simulate, warm_up
+from scenes.scene import (
+    Pedestrian,
+    Robot,
+    Scene,
+    Wall,
+    scene_from_file,
+    scene_from_toml,
+    scene_to_toml,
+)
+from scenes.tracks import busiest_frames, scene_from_tracks
 
 __all__ = [
+    "FAMILIES",
     "FEATURES",
     "META_ACTIONS",
     "NO_NOISE",
+    "PATTERNS",
     "InputError",
     "Limits",
     "MetaAction",
@@ -21,7 +33,13 @@ __all__ = [
     "Rollouts",
     "Scene",
     "Wall",
+    "busiest_frames",
+    "load_scene",
+    "sample_scene",
+    "scene_from_file",
     "scene_from_toml",
+    "scene_from_tracks",
     "scene_to_toml",
     "simulate",
+    "warm_up",
 ]

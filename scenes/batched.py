@@ -11,7 +11,7 @@ import math
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numba import njit
@@ -25,13 +25,17 @@ LANES = 32
 """Rollouts in a block: several registers' worth, few enough for the fastest cache."""
 
 Row = Any  # float64 [LANES]; what numba infers inside compiled code needs no type here
-Function = Callable[..., Any]
+Loop = TypeVar("Loop", bound=Callable[..., Any])
 
 
-def compiled(function: Function) -> Function:
-    """Compile a loop over lanes; no fast-math, so that every lane gives the same bits."""
-    result: Function = njit(error_model="numpy", cache=True, nogil=True)(function)
-    return result
+def compiled(function: Loop) -> Loop:
+    """Compile a loop over lanes.
+
+    Of fast-math only the fusing of multiply and add is allowed: every lane gets it alike, and no
+    sum is reordered, so a lane gives the same bits whatever stands beside it.
+    """
+    jit = njit(error_model="numpy", cache=True, nogil=True, fastmath={"contract"})
+    return cast(Loop, jit(function))
 
 
 class Block(NamedTuple):

@@ -37,17 +37,17 @@ class Crowd:
     @property
     def rollouts(self) -> int:
         """K."""
-        return self.starts.shape[0]
+        return int(self.starts.shape[0])
 
     @property
     def people(self) -> int:
         """P."""
-        return self.starts.shape[1]
+        return int(self.starts.shape[1])
 
     @property
     def steps(self) -> int:
         """T."""
-        return self.accelerations.shape[1]
+        return int(self.accelerations.shape[1])
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ _PEOPLE_APART = 0.55
 _ROBOT_APART = 0.9
 """Smallest distance between a person's start and the robot's, m."""
 
-_WALLS_APART = 0.5
+_WALLS_APART = 0.8
 """Smallest distance between a person's start and a wall, m."""
 
 _FAR = 40.0
@@ -249,17 +249,16 @@ class _Place:
 
 
 def _corridor(rng: np.random.Generator) -> _Place:
-    # mostly wide: in the force model people keep about a metre away from walls
-    half = 0.5 * rng.triangular(2.4, 4.0, 4.0)
-    start = (-4.0, rng.uniform(-0.25, 0.25) * half)
+    # wide: the force model keeps people a metre away from walls, and they must get past the robot
+    half = 0.5 * rng.uniform(4.6, 6.0)
+    start = (-4.0, rng.uniform(-0.4, 0.4))
     walls = (Wall((-9.0, half), (9.0, half)), Wall((-9.0, -half), (9.0, -half)))
-    return _Place(_heading_along_x(start), walls, half_width=half - 0.7)
+    return _Place(_heading_along_x(start), walls, half_width=half - 1.0)
 
 
 def _intersection(rng: np.random.Generator) -> _Place:
-    half = 0.5 * rng.uniform(2.8, 4.0)
-    across = 0.5 * rng.uniform(2.8, 4.0)
-    start = (-across - rng.uniform(0.8, 1.8), rng.uniform(-0.25, 0.25) * half)
+    half, across = 0.5 * rng.uniform(4.6, 6.0, size=2)
+    start = (-across - rng.uniform(0.6, 1.4), rng.uniform(-0.4, 0.4))
     walls = [
         wall
         for x in (-1.0, 1.0)
@@ -269,20 +268,20 @@ def _intersection(rng: np.random.Generator) -> _Place:
             Wall((x * across, y * half), (x * across, y * 7.0)),
         )
     ]
-    street = (-across + 0.7, across - 0.7)
-    return _Place(_heading_along_x(start), tuple(walls), half_width=half - 0.7, street=street)
+    street = (-across + 1.0, across - 1.0)
+    return _Place(_heading_along_x(start), tuple(walls), half_width=half - 1.0, street=street)
 
 
 def _doorway(rng: np.random.Generator) -> _Place:
-    # not narrower: the walls of the force model hold people back from openings below about 1.5 m
-    gate = 0.5 * rng.uniform(1.6, 2.0)
-    start = (-rng.uniform(3.2, 4.2), rng.uniform(-0.6, 0.6))
-    door = (0.0, rng.uniform(-0.3, 0.3) * gate)
+    # wide: the force model's walls hold people back from openings below about 1.5 m
+    gate = 0.5 * rng.uniform(2.0, 2.4)
+    start = (-rng.uniform(4.4, 5.6), rng.uniform(-1.2, 1.2))
+    door = (0.0, rng.uniform(-0.1, 0.1) * gate)
     walls = (
         Wall((0.0, gate), (0.0, 3.0)),
         Wall((0.0, -3.0), (0.0, -gate)),
-        Wall((-7.0, 3.0), (7.0, 3.0)),
-        Wall((-7.0, -3.0), (7.0, -3.0)),
+        Wall((-7.5, 3.0), (7.5, 3.0)),
+        Wall((-7.5, -3.0), (7.5, -3.0)),
     )
     robot = Robot(start, _beyond(start, door, _ROBOT_TASK))
     return _Place(robot, walls, half_width=1.4, gate=gate)
@@ -407,56 +406,56 @@ _COMING, _GOING = -1.0, 1.0
 
 
 def _head_on(rng: np.random.Generator) -> _Cast:
-    near = _Along((3.0, 5.5), _COMING)
-    pair = _Along((4.5, 8.0), _COMING, _STROLL, sizes=(2, 2))
-    far = _Along((5.0, 9.0), _COMING)
-    return [near, near, pair, pair, *_some(rng, far, 1, 4)]
+    near = _Along((4.0, 7.0), _COMING)
+    pair = _Along((7.5, 10.5), _COMING, _STROLL, sizes=(2, 2))
+    far = _Along((7.5, 11.5), _COMING)
+    return [near, pair, far, *_some(rng, pair, 0, 1), *_some(rng, far, 1, 2)]
 
 
 def _overtaking(rng: np.random.Generator) -> _Cast:
-    slow = _Along((1.2, 3.0), _GOING, _SLOW, aside=(-0.7, 0.7))
-    pair = _Along((1.5, 3.5), _GOING, _SLOW, sizes=(2, 2))
-    ahead = _Along((2.5, 5.0), _GOING, _STROLL)
-    behind = _Along((-4.0, -1.0), _GOING, _FAST)
-    return [slow, pair, behind, ahead, *_some(rng, behind, 0, 2), *_some(rng, ahead, 0, 2)]
+    slow = _Along((1.5, 3.0), _GOING, _SLOW, aside=(-0.8, 0.8))
+    pair = _Along((2.5, 4.5), _GOING, _STROLL, sizes=(2, 2))
+    ahead = _Along((3.5, 6.5), _GOING, _STROLL)
+    behind = _Along((-4.0, -2.0), _GOING, _FAST)
+    return [slow, pair, behind, ahead, *_some(rng, ahead, 0, 2)]
 
 
 def _crossing(rng: np.random.Generator) -> _Cast:
-    near = _Across((-0.8, 0.8))
-    pair = _Across((-1.5, 1.0), sizes=(2, 2))
-    other = _Across((-2.5, 1.0))
-    coming = _Along((5.0, 9.0), _COMING)
-    return [near, pair, near, *_some(rng, other, 1, 3), *_some(rng, coming, 0, 2)]
+    near = _Across((-1.5, 1.5))
+    pair = _Across((-3.0, -1.0), sizes=(2, 2))
+    other = _Across((-3.5, 2.5))
+    coming = _Along((7.0, 11.0), _COMING)
+    return [near, pair, near, other, *_some(rng, other, 0, 1), *_some(rng, coming, 0, 1)]
 
 
 def _group_blocking(rng: np.random.Generator) -> _Cast:
     groups: _Cast = [
-        _Along((4.2, 5.2), _COMING, _STAND, sizes=(2, 4), aside=(-0.6, 0.6)),
-        _Along((4.0, 7.0), _COMING, _STROLL, sizes=(2, 4), aside=(-0.6, 0.6)),
-        _Along((1.8, 3.0), _GOING, _SLOW, sizes=(2, 4), aside=(-0.6, 0.6)),
+        _Along((4.0, 5.2), _COMING, _STAND, sizes=(2, 4), aside=(-1.0, 1.0)),
+        _Along((6.0, 8.5), _COMING, _STROLL, sizes=(2, 4), aside=(-1.0, 1.0)),
+        _Along((2.2, 3.5), _GOING, _SLOW, sizes=(2, 4), aside=(-1.0, 1.0)),
     ]
     group = groups[int(rng.integers(len(groups)))]
-    pair = _Along((4.5, 9.0), _COMING, _STROLL, sizes=(2, 2))
-    single = _Along((3.0, 9.0), _COMING)
-    return [group, pair, *_some(rng, single, 1, 4)]
+    pair = _Along((7.5, 10.0), _COMING, _STROLL, sizes=(2, 2))
+    single = _Along((7.0, 11.0), _COMING)
+    return [group, pair, *_some(rng, single, 1, 3)]
 
 
 def _bottleneck(rng: np.random.Generator) -> _Cast:
-    going = _Along((-0.5, 2.0), _GOING, _STROLL)
-    pair = _Along((5.0, 7.5), _COMING, _STROLL, sizes=(2, 2))
-    coming = _Along((4.5, 8.0), _COMING)
-    return [going, pair, coming, going, *_some(rng, coming, 1, 3), *_some(rng, pair, 0, 1)]
+    going = _Along((1.0, 3.0), _GOING, _STROLL)
+    pair = _Along((7.0, 9.5), _COMING, _STROLL, sizes=(2, 2))
+    coming = _Along((5.5, 9.0), _COMING)
+    return [going, pair, coming, going, *_some(rng, pair, 0, 1), *_some(rng, coming, 0, 2)]
 
 
 def _mixed(rng: np.random.Generator) -> _Cast:
-    near = _Along((3.0, 5.5), _COMING)
-    pair = _Along((4.5, 8.0), _COMING, _STROLL, sizes=(2, 3))
-    crosser = _Across((-1.0, 1.0))
-    slow = _Along((1.5, 3.0), _GOING, _SLOW)
-    talking = _Along((2.5, 6.0), _COMING, _STAND, sizes=(2, 2))
-    behind = _Along((-4.0, -1.0), _GOING, _FAST)
+    near = _Along((4.0, 6.5), _COMING)
+    pair = _Along((7.0, 10.0), _COMING, _STROLL, sizes=(2, 3))
+    crosser = _Across((-2.5, 2.5))
+    slow = _Along((2.0, 4.0), _GOING, _SLOW)
+    talking = _Along((3.5, 6.5), _COMING, _STAND, sizes=(2, 2))
+    behind = _Along((-4.0, -2.0), _GOING, _FAST)
     others: _Cast = [*_some(rng, talking, 0, 1), *_some(rng, behind, 0, 1)]
-    return [near, pair, crosser, crosser, slow, *others, near]
+    return [near, pair, crosser, crosser, slow, *others]
 
 
 _CASTS: Mapping[str, Callable[[np.random.Generator], _Cast]] = {

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from scenes.geometry import FloatArray, distance_to_segments
+from scenes.geometry import FloatArray, distance_to_segments, length
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
@@ -60,12 +60,12 @@ def describe(
         dt: length of a step, s.
     """
     place = robot[..., :2]
-    centres = np.linalg.norm(pedestrians - place[..., None, :], axis=-1)  # (A, K, T+1, P)
+    centres = length(pedestrians - place[..., None, :])  # (A, K, T+1, P)
     gap = centres - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
     clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
-    aside = np.linalg.norm(pedestrians - without_robot, axis=-1)  # (A, K, T+1, P)
+    aside = length(pedestrians - without_robot)  # (A, K, T+1, P)
     deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])
-    to_goal = np.linalg.norm(place - np.array(scene.robot.goal), axis=-1)  # (A, K, T+1)
+    to_goal = length(place - np.array(scene.robot.goal))  # (A, K, T+1)
     progress = to_goal[..., 0] - to_goal[..., -1]
     turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
 

@@ -243,9 +243,7 @@ def _semi_minor_axis(rx: float, ry: float, sx: float, sy: float) -> float:
 
 
 @lane
-def pair(
-    rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar
-) -> Vector:
+def pair(rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar) -> Vector:
     """Negative gradient of the potential around another person (Helbing and Molnár 1995, eq. 3).
 
     (rx, ry) is own position minus the other's, (sx, sy) the other's next step Δt v e.
@@ -261,9 +259,7 @@ def pair(
 
 
 @lane
-def pair_as_in_library(
-    rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar
-) -> Vector:
+def pair_as_in_library(rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar) -> Vector:
     """As `pair`, with the gradient as pysocialforce takes it: by one-sided differences."""
     here = exp_of_negative(-_semi_minor_axis(rx, ry, sx, sy) / p.pair_range)
     right = exp_of_negative(-_semi_minor_axis(rx + DIFFERENCE_STEP, ry, sx, sy) / p.pair_range)

@@ -6,6 +6,13 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 
 
+def length(vectors: FloatArray) -> FloatArray:
+    """Length of each vector of the last axis, [..., 2] to [...]."""
+    x, y = vectors[..., 0], vectors[..., 1]
+    result: FloatArray = np.sqrt(x * x + y * y)
+    return result
+
+
 def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
     """The point of each segment that is nearest to each point.
 
@@ -16,11 +23,12 @@ def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
     Returns:
         [..., W, 2], m.
     """
-    start, along = segments[:, 0], segments[:, 1] - segments[:, 0]  # (W, 2)
-    squared_length = np.einsum("wc,wc->w", along, along)
-    share = np.einsum("...wc,wc->...w", points[..., None, :] - start, along) / squared_length
-    nearest: FloatArray = start + np.clip(share, 0.0, 1.0)[..., None] * along
-    return nearest
+    x, y = points[..., 0, None], points[..., 1, None]  # (..., 1)
+    x0, y0 = segments[:, 0, 0], segments[:, 0, 1]  # (W,)
+    along_x, along_y = segments[:, 1, 0] - x0, segments[:, 1, 1] - y0
+    share = ((x - x0) * along_x + (y - y0) * along_y) / (along_x**2 + along_y**2)
+    share = np.minimum(np.maximum(share, 0.0), 1.0)
+    return np.stack([x0 + share * along_x, y0 + share * along_y], axis=-1)
 
 
 def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
@@ -33,6 +41,4 @@ def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray
     Returns:
         [..., W], m.
     """
-    gap = points[..., None, :] - nearest_on_segments(points, segments)
-    distance: FloatArray = np.hypot(gap[..., 0], gap[..., 1])
-    return distance
+    return length(nearest_on_segments(points, segments) - points[..., None, :])

@@ -78,7 +78,8 @@ class SocialForce(library.SocialForce):  # type: ignore[misc]
         force = brake[:, None] * direction - (np.sign(angle) * turn)[
             :, None
         ] * stateutils.left_normal(direction)
-        return np.sum(force.reshape((self.peds.size(), -1, 2)), axis=1) * self.factor
+        total: FloatArray = np.sum(force.reshape((self.peds.size(), -1, 2)), axis=1) * self.factor
+        return total
 
 
 class GroupCoherenceForceAlt(library.GroupCoherenceForceAlt):  # type: ignore[misc]
@@ -94,13 +95,15 @@ class GroupCoherenceForceAlt(library.GroupCoherenceForceAlt):  # type: ignore[mi
             to_centre = places.mean(axis=0) - places
             distance = np.linalg.norm(to_centre, axis=-1, keepdims=True)
             forces[group] += to_centre * (np.tanh(distance - (len(group) - 1) / 2) + 1) / 2
-        return forces * self.factor
+        total: FloatArray = forces * self.factor
+        return total
 
 
 class MendedPotential(PedPedPotential):  # type: ignore[misc]
     """The library hands on directions and distances together; only the directions are meant."""
 
     def value_r_ab(self, r_ab: FloatArray, speeds: FloatArray, directions: Any) -> Any:
+        """Potential at each r_ab; `directions` is the library's pair of directions, distances."""
         return super().value_r_ab(r_ab, speeds, directions[0])
 
 
@@ -108,6 +111,7 @@ class SmoothPotential(MendedPotential):
     """The mended potential with its analytic gradient in place of one-sided differences."""
 
     def grad_r_ab(self, state: FloatArray, delta: float = 0.0) -> FloatArray:  # noqa: ARG002
+        """Gradient with respect to r_ab, [agents, agents, 2]; see `scenes.forces.pair`."""
         r = self.r_ab(state)
         directions = stateutils.desired_directions(state)
         step = self.delta_t * stateutils.speeds(state)[None, :, None] * directions[0][None]
@@ -146,6 +150,7 @@ class SmoothSpacePotential(PedSpacePotential):  # type: ignore[misc]
     """The potential of walls with its analytic gradient."""
 
     def grad_r_aB(self, state: FloatArray, delta: float = 0.0) -> FloatArray:  # noqa: ARG002, N802
+        """Gradient with respect to r_aB, [agents, walls, 2]; see `scenes.forces.wall_gradient`."""
         r = self.r_aB(state)
         distance = np.linalg.norm(r, axis=-1, keepdims=True)
         gradient: FloatArray = -self.u0 / self.r * np.exp(-distance / self.r) * r / distance
@@ -159,8 +164,10 @@ class SpaceRepulsiveForce(library.SpaceRepulsiveForce):  # type: ignore[misc]
         potential = SmoothSpacePotential(
             self.scene.get_obstacles(), u0=self.config("u0"), r=self.config("r")
         )
-        total: FloatArray = np.sum(-1.0 * potential.grad_r_aB(self.peds.state), axis=1)
-        return total * self.factor
+        total: FloatArray = (
+            np.sum(-1.0 * potential.grad_r_aB(self.peds.state), axis=1) * self.factor
+        )
+        return total
 
 
 def _force_set(model: Model, wrap_angles: bool) -> list[Any]:
@@ -249,6 +256,4 @@ def _walk_once(
 def _robot_rows(robots: FloatArray) -> FloatArray:
     """State rows of robots, [R, 6]; a robot's goal is always a metre ahead, as it drives."""
     ahead = np.stack([np.cos(robots[:, 2]), np.sin(robots[:, 2])], axis=-1)
-    return np.concatenate(
-        [robots[:, :2], robots[:, 3:4] * ahead, robots[:, :2] + ahead], axis=-1
-    )
+    return np.concatenate([robots[:, :2], robots[:, 3:4] * ahead, robots[:, :2] + ahead], axis=-1)

@@ -14,10 +14,13 @@ from scenes.features import describe
 from scenes.geometry import FloatArray
 from scenes.noise import Noise, disturb
 from scenes.robot import Limits, drive
-from scenes.scene import Scene
+from scenes.scene import Pedestrian, Robot, Scene
 
 Engine = Literal["batched", "pysocialforce"]
 """`batched` is compiled; `pysocialforce` is the library itself, the slow reference."""
+
+DEFAULT_STEP = 0.1
+"""Length of a step, s."""
 
 MOST_ROLLOUTS = 10_000
 LONGEST_HORIZON = 60.0
@@ -71,7 +74,7 @@ class Rollouts:
     @property
     def horizon(self) -> float:
         """Simulated time, s."""
-        return (self.robot.shape[2] - 1) * self.dt
+        return float((self.robot.shape[2] - 1) * self.dt)
 
 
 def simulate(
@@ -84,7 +87,7 @@ def simulate(
     *,
     model: Model = "extended",
     horizon: float = 4.0,
-    dt: float = 0.1,
+    dt: float = DEFAULT_STEP,
     wrap_angles: bool = True,
     limits: Limits = Limits(),  # noqa: B008  # frozen
     threads: int | None = None,
@@ -132,9 +135,7 @@ def simulate(
         from scenes.reference import walk as walk_in_library
 
         def paths_among(robots: FloatArray) -> FloatArray:
-            return walk_in_library(
-                disturbance.crowd, surroundings, robots, model, wrap_angles, dt
-            )
+            return walk_in_library(disturbance.crowd, surroundings, robots, model, wrap_angles, dt)
 
     pedestrians = paths_among(driven[:, :, :, None])
     without_robot = paths_among(nobody)[0]
@@ -159,6 +160,13 @@ def simulate(
         progress_m=outcomes.progress_m,
         contact_step=outcomes.contact_step,
     )
+
+
+def warm_up(engine: Engine) -> None:
+    """Compile an engine, which takes seconds on its first use, by simulating a tiny scene."""
+    person = Pedestrian(start=(2.0, 1.0), goal=(-9.0, 1.0))
+    scene = Scene("warm_up", Robot(start=(0.0, 0.0), goal=(9.0, 0.0)), (person,))
+    simulate(scene, rollouts=1, engine=engine, horizon=0.1)
 
 
 def _check(

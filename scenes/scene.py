@@ -22,7 +22,7 @@ ROBOT_RADIUS = 0.25
 """Radius of the robot's disc, m."""
 
 SHORTEST_WALL = 0.1
-"""Pedestrians feel a wall through points every 0.1 m along it, so a wall is at least that long, m."""
+"""Pedestrians feel a wall through points every 0.1 m, so a wall is at least that long, m."""
 
 MEAN_WALKING_SPEED = 1.34
 """Mean desired speed of pedestrians, m/s (Helbing and Molnár 1995, section III)."""
