@@ -107,7 +107,7 @@ def load_scene(
     Args:
         family_or_name: one of `FAMILIES`, for example "doorway".
         pattern: one of the family's patterns; None takes the first of them, which is the one
-            that shows the family best.
+            that shows the family best ("doorway" alone is two-way traffic through the opening).
         seed: seed of the series, 0 to 2**64 - 1.
         number: which scene of the series, 0 to 2**31 - 1.
 
@@ -249,7 +249,8 @@ class _Place:
 
 
 def _corridor(rng: np.random.Generator) -> _Place:
-    # wide: the force model keeps people a metre away from walls, and they must get past the robot
+    # Wide: the walls of the force model keep people a metre away, and they must get past the robot
+    # in the space between. In 4 m or less they walk into it.
     half = 0.5 * rng.uniform(4.6, 6.0)
     start = (-4.0, rng.uniform(-0.4, 0.4))
     walls = (Wall((-9.0, half), (9.0, half)), Wall((-9.0, -half), (9.0, -half)))
@@ -257,7 +258,7 @@ def _corridor(rng: np.random.Generator) -> _Place:
 
 
 def _intersection(rng: np.random.Generator) -> _Place:
-    half, across = 0.5 * rng.uniform(4.6, 6.0, size=2)
+    half, across = (0.5 * rng.uniform(4.6, 6.0) for _ in range(2))
     start = (-across - rng.uniform(0.6, 1.4), rng.uniform(-0.4, 0.4))
     walls = [
         wall
@@ -268,20 +269,20 @@ def _intersection(rng: np.random.Generator) -> _Place:
             Wall((x * across, y * half), (x * across, y * 7.0)),
         )
     ]
-    street = (-across + 1.0, across - 1.0)
+    street = (1.0 - across, min(across - 1.0, start[0] + 4.0))
     return _Place(_heading_along_x(start), tuple(walls), half_width=half - 1.0, street=street)
 
 
 def _doorway(rng: np.random.Generator) -> _Place:
-    # wide: the force model's walls hold people back from openings below about 1.5 m
-    gate = 0.5 * rng.uniform(2.0, 2.4)
-    start = (-rng.uniform(4.4, 5.6), rng.uniform(-1.2, 1.2))
+    # Wide: the walls of the force model let nobody through openings below about 1.5 m.
+    gate = 0.5 * rng.uniform(1.6, 2.4)
+    start = (-rng.uniform(4.0, 5.4), rng.uniform(-1.2, 1.2))
     door = (0.0, rng.uniform(-0.1, 0.1) * gate)
     walls = (
         Wall((0.0, gate), (0.0, 3.0)),
         Wall((0.0, -3.0), (0.0, -gate)),
-        Wall((-7.5, 3.0), (7.5, 3.0)),
-        Wall((-7.5, -3.0), (7.5, -3.0)),
+        Wall((-9.0, 3.0), (8.0, 3.0)),
+        Wall((-9.0, -3.0), (8.0, -3.0)),
     )
     robot = Robot(start, _beyond(start, door, _ROBOT_TASK))
     return _Place(robot, walls, half_width=1.4, gate=gate)
@@ -316,7 +317,8 @@ class _Along:
         way: +1 to walk the robot's way, -1 to come towards it.
         speed: desired speed, m/s.
         sizes: fewest and most members.
-        aside: how far to the left of the robot its middle starts, m; None is anywhere.
+        aside: how far to the left of the robot's straight way its middle starts, m; None is
+            anywhere.
     """
 
     ahead: _Range
@@ -327,10 +329,12 @@ class _Along:
 
     def draw(self, rng: np.random.Generator, place: _Place) -> Party:
         """Draw a party of this kind."""
-        x, y = place.robot.start
-        width = place.half_width
-        across = rng.uniform(-width, width) if self.aside is None else y + rng.uniform(*self.aside)
-        middle = (x + rng.uniform(*self.ahead), across)
+        (x, y), heading = place.robot.start, place.robot.start_heading
+        ahead, width = rng.uniform(*self.ahead), place.half_width
+        if self.aside is None:
+            middle = (x + ahead, rng.uniform(-width, width))
+        else:
+            middle = (x + ahead, y + ahead * math.tan(heading) + rng.uniform(*self.aside))
         direction = (0.0 if self.way > 0 else math.pi) + rng.uniform(-place.spread, place.spread)
         return _abreast(rng, place, middle, direction, self.sizes, self.speed)
 
@@ -406,7 +410,7 @@ _COMING, _GOING = -1.0, 1.0
 
 
 def _head_on(rng: np.random.Generator) -> _Cast:
-    near = _Along((4.0, 7.0), _COMING)
+    near = _Along((4.5, 7.5), _COMING)
     pair = _Along((7.5, 10.5), _COMING, _STROLL, sizes=(2, 2))
     far = _Along((7.5, 11.5), _COMING)
     return [near, pair, far, *_some(rng, pair, 0, 1), *_some(rng, far, 1, 2)]
@@ -448,10 +452,10 @@ def _bottleneck(rng: np.random.Generator) -> _Cast:
 
 
 def _mixed(rng: np.random.Generator) -> _Cast:
-    near = _Along((4.0, 6.5), _COMING)
+    near = _Along((4.5, 7.5), _COMING)
     pair = _Along((7.0, 10.0), _COMING, _STROLL, sizes=(2, 3))
     crosser = _Across((-2.5, 2.5))
-    slow = _Along((2.0, 4.0), _GOING, _SLOW)
+    slow = _Along((2.5, 4.5), _GOING, _SLOW)
     talking = _Along((3.5, 6.5), _COMING, _STAND, sizes=(2, 2))
     behind = _Along((-4.0, -2.0), _GOING, _FAST)
     others: _Cast = [*_some(rng, talking, 0, 1), *_some(rng, behind, 0, 1)]

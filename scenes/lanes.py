@@ -3,7 +3,7 @@
 The engine keeps the rollouts of a scene side by side, one in each lane of a vector register. That
 works only if every operation is plain arithmetic: one call into the C library's `exp` or `atan2`
 and the compiler falls back to one rollout at a time. So both are written here as polynomials,
-without branches, accurate to about 1e-13 (relative for exp, absolute for the angle).
+without branches, accurate to about 1e-15 (relative for exp, absolute for the angle).
 """
 
 import math
@@ -26,34 +26,35 @@ def lane(function: Formula) -> Formula:
     return cast(Formula, njit(error_model="numpy", inline="always")(function))
 
 
-_LOWEST = -64.0
-_HALVINGS = 10
-_SCALE = 0.5**_HALVINGS
-_E2, _E3, _E4, _E5, _E6, _E7, _E8 = (1.0 / math.factorial(n) for n in range(2, 9))
+_LOWEST = -700.0
+_LOG2_E = math.log2(math.e)
+_LN2_HIGH = float.fromhex("0x1.62e42fee00000p-1")
+_LN2_LOW = float.fromhex("0x1.a39ef35793c76p-33")
+_TO_INTEGER = 1.5 * 2.0**52  # adding it rounds to an integer, which then stands in the low bits
+_EXPONENT_BITS = np.int64(52)
+_EXPONENT_BIAS = np.int64(1023)
+_E2, _E3, _E4, _E5, _E6, _E7, _E8, _E9, _E10, _E11, _E12 = (
+    1.0 / math.factorial(n) for n in range(2, 13)
+)
 
 
 @lane
 def exp_of_negative(x: float) -> float:
-    """exp(x) for x ≤ 0; exactly 0 below -64 (1.6e-28: no force of that size is felt).
+    """exp(x) for x ≤ 0; exactly 0 below -700, where no force is felt.
 
-    exp(x) = exp(x / 1024)^1024: a short Taylor polynomial, then ten squarings.
+    exp(x) = 2^k exp(r) with r = x - k ln 2, |r| ≤ ln(2)/2: a Taylor polynomial, and k moved into
+    the exponent bits.
     """
     felt = x > _LOWEST
-    y = (x if felt else 0.0) * _SCALE
-    y = 1.0 + y * (
-        1.0 + y * (_E2 + y * (_E3 + y * (_E4 + y * (_E5 + y * (_E6 + y * (_E7 + y * _E8))))))
-    )
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    y = y * y
-    return y if felt else 0.0
+    y = x if felt else 0.0
+    shifted = y * _LOG2_E + _TO_INTEGER
+    k = shifted - _TO_INTEGER
+    r = (y - k * _LN2_HIGH) - k * _LN2_LOW
+    p = _E8 + r * (_E9 + r * (_E10 + r * (_E11 + r * _E12)))
+    p = _E3 + r * (_E4 + r * (_E5 + r * (_E6 + r * (_E7 + r * p))))
+    p = 1.0 + r * (1.0 + r * (_E2 + r * p))
+    bits = (np.float64(shifted).view(np.int64) + _EXPONENT_BIAS) << _EXPONENT_BITS
+    return p * np.int64(bits).view(np.float64) if felt else 0.0
 
 
 def _arctangent_polynomial(terms: int) -> tuple[float, ...]:
@@ -90,23 +91,9 @@ def angle_of(y: float, x: float) -> float:
     beyond = ratio > _TAN_EIGHTH
     t = (ratio - 1.0) / (ratio + 1.0) if beyond else ratio
     s = t * t
-    angle = t * (
-        _A0
-        + s
-        * (
-            _A1
-            + s
-            * (
-                _A2
-                + s
-                * (
-                    _A3
-                    + s
-                    * (_A4 + s * (_A5 + s * (_A6 + s * (_A7 + s * (_A8 + s * (_A9 + s * _A10))))))
-                )
-            )
-        )
-    )
+    p = _A6 + s * (_A7 + s * (_A8 + s * (_A9 + s * _A10)))
+    p = _A1 + s * (_A2 + s * (_A3 + s * (_A4 + s * (_A5 + s * p))))
+    angle = t * (_A0 + s * p)
     angle = angle + _EIGHTH_TURN if beyond else angle
     angle = _QUARTER_TURN - angle if steep else angle
     angle = _HALF_TURN - angle if x < 0.0 else angle
