@@ -435,7 +435,7 @@ def _crossing(rng: np.random.Generator) -> _Cast:
 def _group_blocking(rng: np.random.Generator) -> _Cast:
     groups: _Cast = [
         _Along((4.0, 5.2), _COMING, _STAND, sizes=(2, 4), aside=(-1.0, 1.0)),
-        _Along((6.0, 8.5), _COMING, _STROLL, sizes=(2, 4), aside=(-1.0, 1.0)),
+        _Along((5.5, 7.5), _COMING, _STROLL, sizes=(2, 4), aside=(-1.0, 1.0)),
         _Along((2.2, 3.5), _GOING, _SLOW, sizes=(2, 4), aside=(-1.0, 1.0)),
     ]
     group = groups[int(rng.integers(len(groups)))]

@@ -60,10 +60,8 @@ def drive(
     path = np.empty((len(actions), rollouts, steps + 1, 4))
     path[:, :, 0] = np.stack([x, y, heading, v], axis=-1)
     for step in range(steps):
-        v = v + np.clip(command_v - v, -limits.acceleration * dt, limits.acceleration * dt)
-        w = w + np.clip(
-            command_w - w, -limits.turn_acceleration * dt, limits.turn_acceleration * dt
-        )
+        v = np.clip(command_v, v - limits.acceleration * dt, v + limits.acceleration * dt)
+        w = np.clip(command_w, w - limits.turn_acceleration * dt, w + limits.turn_acceleration * dt)
         driven = np.where(blocked, 0.0, v * np.maximum(1.0 + disturbance.robot_speed[:, step], 0.0))
         turned = np.where(blocked, 0.0, (w + driven * disturbance.robot_turn[:, step]) * dt)
         # The chord of the arc points along the heading halfway through the step.
