@@ -47,11 +47,17 @@ _FAR = 40.0
 _END_IS_NEAR = 1.0
 """A track that ends within this distance says nothing of where the person is headed, m."""
 
-_ROBOT_APART = 1.2
+_ROBOT_APART = 1.5
 """Smallest distance from the robot's start to a person, where the studio chooses it, m."""
 
 _ROBOT_NEAR = 5.0
 """Largest such distance to the nearest person, if there is room, m."""
+
+_SHORTEST_TASK = 1.0
+"""Smallest distance from such a start to a goal that is given, m."""
+
+_NARROW_PASS = 1.3
+"""Distance between the centres of a robot and a person who narrowly pass, m."""
 
 _ROBOT_TASK = 8.0
 """Distance from the robot's start to its goal, where the studio chooses it, m."""
@@ -136,9 +142,9 @@ def scene_at(
     annotations lie inside a wall or another person; such people are moved out, as little as can be
     (to within 1 cm).
 
-    Where the robot's start or goal is left open, it is placed, or headed, so that it meets as many
-    people as possible in the next four seconds (found by trial, the same each time). A start that
-    is left open lies 3 m or more from the people's middle, or from the goal if one is given.
+    Where the robot's start or goal is left open, it is placed, or headed, so that it narrowly
+    passes as many people as possible in the next four seconds (found by trial, the same each time).
+    A start that is left open lies 3 m or more from the people's middle and 1.5 m or more from each.
 
     Args:
         tracks: the recording.
@@ -421,10 +427,10 @@ def _robot(
     start: Position | None,
     goal: Position | None,
 ) -> Robot:
-    """The robot's task: as given, and what is not given so that it meets as many as possible.
+    """The robot's task: as given, and what is not given so that it passes many people narrowly.
 
-    Of the places and directions tried, the best is where most people would come close within four
-    seconds if everybody, robot and people, went straight on, and where no wall is in the way.
+    Of the places and directions tried, the best is where most people would narrowly pass within
+    four seconds if everybody, robot and people, went straight on, and where no wall is in the way.
     """
     if start is not None:
         _check_robot_start(start, starts, segments)
@@ -437,7 +443,7 @@ def _robot(
         froms = np.broadcast_to(np.array(start), tos.shape)
     else:
         target = middle if goal is None else np.array(goal)
-        froms = _free_places(target, starts, segments)
+        froms = _free_places(middle, target, starts, segments)
         tos = np.broadcast_to(target, froms.shape)
     headings = (tos - froms) / np.linalg.norm(tos - froms, axis=1)[:, None]
     best = int(np.argmax(_telling(froms, headings, starts, velocities, segments)))
@@ -448,12 +454,15 @@ def _robot(
     )
 
 
-def _free_places(point: FloatArray, starts: FloatArray, segments: FloatArray) -> FloatArray:
-    """Places on rings about a point, clear of people and walls but near people, [N, 2]."""
-    rings = [point + radius * _directions() for radius in (4.0, 3.0, 5.0, 6.0, 8.0, 12.0, 20.0)]
+def _free_places(
+    middle: FloatArray, target: FloatArray, starts: FloatArray, segments: FloatArray
+) -> FloatArray:
+    """Places on rings about the middle, clear of everything but near people, [N, 2]."""
+    rings = [middle + radius * _directions() for radius in (4.0, 3.0, 5.0, 6.0, 8.0, 12.0, 20.0)]
     places: FloatArray = np.concatenate(rings).round(2)
     to_people = _gap_to_people(places, starts)
     free = (to_people >= _ROBOT_APART) & (_gap_to_walls(places, segments) >= 2.0 * ROBOT_RADIUS)
+    free &= np.linalg.norm(places - target, axis=1) >= _SHORTEST_TASK
     if not free.any():
         raise InputError("robot_start: no place near the people is free: give one")
     near = free & (to_people <= _ROBOT_NEAR)
@@ -473,16 +482,17 @@ def _telling(
     velocities: FloatArray,
     segments: FloatArray,
 ) -> FloatArray:
-    """How many people come how close to a robot that sets off straight at 1 m/s, [N].
+    """How many people narrowly pass a robot that sets off straight at 1 m/s, [N].
 
-    Each counts exp(-gap), gap in m at the closest, 1 to 4 s from now; where a wall is in the way,
-    nobody counts.
+    Each counts exp(-|distance - 1.3 m|), taken at the closest 1 to 4 s from now: a robot that is
+    sure to be hit tells as little as one that nobody meets. A wall in the way rules a place out.
     """
     gap = starts - froms[:, None]  # (N, P, 2)
     closing = velocities - headings[:, None]  # (N, P, 2)
     squared_speed = np.maximum(np.sum(closing**2, axis=-1), 1e-12)
     closest = np.clip(-np.sum(gap * closing, axis=-1) / squared_speed, 1.0, 4.0)  # (N, P)
-    met = np.exp(-np.linalg.norm(gap + closest[..., None] * closing, axis=-1)).sum(axis=1)
+    passing = np.linalg.norm(gap + closest[..., None] * closing, axis=-1)  # (N, P)
+    met = np.exp(-np.abs(passing - _NARROW_PASS)).sum(axis=1)
     way = froms + np.linspace(0.0, 4.0, 17)[:, None, None] * headings  # (17, N, 2)
     to_walls = np.array([_gap_to_walls(places, segments) for places in way])  # (17, N)
     # rounded, so that ties are ties on every machine

@@ -1,0 +1,229 @@
+"""The command line as a person meets it."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+from click.testing import CliRunner, Result
+
+from scenes import FAMILIES, PATTERNS, load_scene, scene_from_toml, scene_to_toml
+from studio.cli import main
+
+QUICK = ("--rollouts", "3", "--horizon", "1", "--no-png", "--no-mp4")
+
+
+def run(*arguments: str | Path) -> Result:
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def only_line(result: Result) -> str:
+    """What stands on standard error, which must be one line."""
+    assert isinstance(result.exception, SystemExit), result.exception
+    assert result.stderr.count("\n") == 1, result.stderr
+    return result.stderr.strip()
+
+
+def test_record_writes_recording_picture_and_film(tmp_path: Path) -> None:
+    result = run(
+        "record", "--scene", "doorway", "--rollouts", "3", "--horizon", "0.5", "--out", tmp_path
+    )
+    assert result.exit_code == 0, result.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "doorway.mp4",
+        "doorway.png",
+        "doorway.rrd",
+    ]
+    assert all(path.stat().st_size > 1000 for path in tmp_path.iterdir())
+    for word in ("forward_left", "of 3", "V tk", "doorway.rrd"):
+        assert word in result.stdout
+
+
+def test_pictures_and_films_can_be_left_out(tmp_path: Path) -> None:
+    assert run("record", "--scene", "open", *QUICK, "--out", tmp_path).exit_code == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["open.rrd"]
+
+
+def test_a_printed_scene_can_be_edited_and_recorded(tmp_path: Path) -> None:
+    printed = run("scenes", "doorway", "--seed", "3", "--pattern", "group_blocking")
+    assert scene_from_toml(printed.stdout) == load_scene("doorway", "group_blocking", seed=3)
+    mine = tmp_path / "mine.toml"
+    mine.write_text(printed.stdout.replace('name = "doorway"', 'name = "mine"'))
+    assert run("record", "--scene", mine, *QUICK, "--out", tmp_path).exit_code == 0
+    assert (tmp_path / "mine.rrd").exists()
+
+
+def test_scenes_lists_every_family_and_pattern() -> None:
+    lines = run("scenes").stdout.splitlines()
+    for name in (*FAMILIES, *PATTERNS):
+        assert sum(line.split()[0] == name for line in lines) == 1
+
+
+def tracks(folder: Path) -> Path:
+    """A made-up recording: two people walk, one more comes later."""
+    rows = []
+    for frame in range(0, 100, 10):
+        t = frame / 25
+        rows.append((frame, 1, 1.0 + t, 0, 2.0, 1.0, 0, 0.0))
+        rows.append((frame, 2, 9.0 - t, 0, 3.0, -1.0, 0, 0.0))
+        if frame >= 50:
+            rows.append((frame, 3, 5.0, 0, 8.0 - t, 0.0, 0, -1.0))
+    file = folder / "obsmat.txt"
+    file.write_text("\n".join(" ".join(map(str, row)) for row in rows))
+    return file
+
+
+def test_scenes_lists_the_busiest_frames_of_tracks(tmp_path: Path) -> None:
+    lines = run("scenes", tracks(tmp_path)).stdout.splitlines()
+    assert lines[0].split() == ["frame", "people"]
+    assert lines[1].split() == ["50", "3"]
+
+
+def test_a_frame_of_tracks_can_be_recorded(tmp_path: Path) -> None:
+    result = run(
+        "record",
+        "--scene",
+        tracks(tmp_path),
+        "--frame",
+        "50",
+        "--robot-start",
+        "0,-2",
+        "--robot-goal",
+        "8,6",
+        *QUICK,
+        "--out",
+        tmp_path / "out",
+    )
+    assert result.exit_code == 0, result.stderr
+    [recording] = (tmp_path / "out").iterdir()
+    assert recording.suffix == ".rrd"
+    assert "50" in recording.stem
+
+
+def test_sample_writes_the_bank(tmp_path: Path) -> None:
+    out = tmp_path / "new" / "outcomes.parquet"
+    result = run(
+        "sample", "--scenes", "3", "--seed", "2", "--rollouts", "2", "--families", "open,corridor",
+        "--patterns", "head_on", "--noise", "goal=0.1", "--noise", "start=0", "--out", out,
+    )  # fmt: skip
+    assert result.exit_code == 0, result.stderr
+    table = pq.read_table(out)
+    assert table.num_rows == 3 * 7 * 2
+    assert set(table["pattern"].to_pylist()) == {"head_on"}
+    said = json.loads(table.schema.metadata[b"prospect_studio"])
+    assert said["seed"] == 2
+    assert said["noise"]["goal"] == 0.1
+    assert said["noise"]["start"] == 0.0
+    assert "42 outcomes of 3 scenes" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ("record --scene garden", "'garden' is neither a family (corridor, intersection, doorway"),
+        ("record --scene none.toml", "none.toml: cannot be read"),
+        ("record --scene open --pattern bottleneck", "bottleneck"),
+        ("record --scene open --pattern waltz", "waltz"),
+        ("record --scene open --frame 3", "--frame: goes with recorded tracks"),
+        ("record --scene open --rollouts 0", "rollouts: 0 is not allowed: 1 to 10000"),
+        ("record --scene open --rollouts -5", "rollouts: -5 is not allowed"),
+        ("record --scene open --rollouts many", "'--rollouts': 'many' is not a valid integer"),
+        ("record --scene open --horizon nan", "horizon: nan s is not allowed"),
+        ("record --scene open --horizon 1e9", "horizon: 1000000000.0 s is not allowed"),
+        ("record --scene open --seed -1", "seed: -1"),
+        ("record --scene open --number -1", "number: -1"),
+        ("record --scene open --model newton", "'newton' is not one of 'extended'"),
+        ("record --scene open --engine warp", "'warp' is not one of 'batched'"),
+        ("record --scene open --noise fog=1", "--noise: 'fog' is not known: start, desired_speed"),
+        ("record --scene open --noise goal=x", "--noise: 'goal=x' is not a setting"),
+        ("record --scene open --noise goal=-1", "noise goal: -1.0 is not allowed"),
+        ("record", "Missing option '--scene'"),
+        ("scenes garden", "garden"),
+        ("sample --scenes 0", "scenes: 0 is not allowed"),
+        ("sample --families garden", "garden"),
+        ("view none.rrd", "none.rrd: cannot be read: No such file"),
+        ("fly", "No such command 'fly'"),
+    ],
+)
+def test_wrong_input_is_one_line_and_exit_code_2(
+    arguments: str, says: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = run(*arguments.split())
+    assert says in only_line(result)
+    assert result.exit_code == 2
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_edited_scene_that_contradicts_itself_names_the_field(tmp_path: Path) -> None:
+    text = scene_to_toml(load_scene("doorway")).replace("groups = [", "groups = [[0, 99], ", 1)
+    (tmp_path / "mine.toml").write_text(text)
+    result = run("record", "--scene", tmp_path / "mine.toml", "--out", tmp_path / "out")
+    assert "mine.toml: groups[0] names pedestrian 99" in only_line(result)
+    assert result.exit_code == 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_tracks_with_a_column_missing_or_nobody_there_are_refused(tmp_path: Path) -> None:
+    file = tracks(tmp_path)
+    result = run("record", "--scene", file, "--frame", "7", "--out", tmp_path / "out")
+    assert "7" in only_line(result)
+    assert result.exit_code == 2
+    file.write_text("1 2 3\n")
+    result = run("record", "--scene", file, "--frame", "50", "--out", tmp_path / "out")
+    assert "obsmat.txt" in only_line(result)
+    assert result.exit_code == 2
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("command", ["record --scene open", "sample --scenes 1"])
+def test_an_output_place_that_cannot_be_is_refused(command: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("mine")
+    out = tmp_path / "file" / "deeper" / "x"
+    result = run(*command.split(), "--rollouts", "1", "--out", out)
+    assert "--out: " in only_line(result)
+    assert result.exit_code == 2
+    assert (tmp_path / "file").read_text() == "mine"
+
+
+def test_a_film_is_not_a_recording(tmp_path: Path) -> None:
+    (tmp_path / "film.rrd").write_bytes(b"....ftypisom")
+    result = run("view", tmp_path / "film.rrd")
+    assert "is not a Rerun recording" in only_line(result)
+    assert result.exit_code == 2
+
+
+def test_interrupted_work_leaves_nothing_behind(tmp_path: Path) -> None:
+    out = tmp_path / "outcomes.parquet"
+    out.write_text("an older bank")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "studio", "sample", "--scenes", "100000", "--out", str(out)],
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    deadline = time.monotonic() + 60
+    while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < deadline:
+        time.sleep(0.05)  # until the temporary file is there
+    os.kill(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "studio: interrupted"
+    assert [path.name for path in tmp_path.iterdir()] == ["outcomes.parquet"]
+    assert out.read_text() == "an older bank"
+
+
+def test_no_progress_bar_reaches_a_pipe(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "studio", "sample", "--scenes", "2", "--rollouts", "1"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "\x1b" not in done.stdout + done.stderr
+    assert done.stdout.count("\n") == 1

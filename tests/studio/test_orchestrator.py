@@ -1,0 +1,78 @@
+"""The orchestrator from Python."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from scenes import Noise, Pedestrian, Robot, Scene, simulate
+from studio.errors import InputError, RunError
+from studio.files import replacing, writable_folder
+from studio.judgements import judge, utilities
+from studio.orchestrator import Studio
+from studio.sources import Source, find_scene
+
+PLAIN = {"png": False, "mp4": False}
+
+
+def test_record_gives_back_what_it_wrote_and_simulated(tmp_path: Path) -> None:
+    recorded = Studio(out=tmp_path).record("doorway", seed=2, rollouts=3, horizon=1.0, **PLAIN)
+    assert recorded.files == (tmp_path / "doorway.rrd",)
+    again = simulate(find_scene(Source("doorway", seed=2)), rollouts=3, seed=2, horizon=1.0)
+    np.testing.assert_array_equal(recorded.rollouts.features, again.features)
+    assert [judgement.teacher for judgement in recorded.judgements] == ["eu", "tk", "strong"]
+
+
+def test_a_scene_of_ones_own_can_be_recorded(tmp_path: Path) -> None:
+    scene = Scene("own", Robot((0.0, 0.0), (9.0, 0.0)), (Pedestrian((4.0, 1.0), (-9.0, 1.0)),))
+    recorded = Studio(tmp_path).record(scene, rollouts=2, noise=Noise(goal=0.0), **PLAIN)
+    assert recorded.files[0].exists()
+    assert recorded.rollouts.noise.goal == 0.0
+
+
+def test_an_old_file_survives_a_run_that_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import studio.film
+
+    def no_space_left(*_arguments: object, **_keywords: object) -> None:
+        raise RunError("no space left")
+
+    for suffix in (".rrd", ".png", ".mp4"):
+        (tmp_path / f"doorway{suffix}").write_text("old")
+    monkeypatch.setattr(studio.film, "write_film", no_space_left)
+    with pytest.raises(RunError):
+        Studio(tmp_path).record("doorway", rollouts=2, horizon=0.5)
+    assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}
+    assert len(list(tmp_path.iterdir())) == 3
+
+
+def test_replacing_is_all_or_nothing(tmp_path: Path) -> None:
+    final = tmp_path / "a.txt"
+    with replacing(final) as part:
+        part.write_text("new")
+        assert not final.exists()
+        assert part.parent == final.parent
+    assert final.read_text() == "new"
+    with pytest.raises(ZeroDivisionError), replacing(final) as part:
+        part.write_text(str(1 / 0))
+    assert final.read_text() == "new"
+    assert list(tmp_path.iterdir()) == [final]
+
+
+def test_a_folder_inside_a_file_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    with pytest.raises(InputError, match=r"--out: .* cannot be created"):
+        writable_folder(tmp_path / "file" / "folder", "--out")
+
+
+def test_teachers_judge_by_the_value_of_the_prospect() -> None:
+    rollouts = simulate(find_scene(Source("doorway")), rollouts=20)
+    eu, tk, strong = judge(rollouts)
+    outcome = utilities(rollouts)
+    np.testing.assert_allclose(eu.values, outcome.mean(axis=1), atol=1e-12)
+    for judgement in (eu, tk, strong):
+        assert judgement.best == judgement.values.argmax()
+        assert judgement.values.shape == (7,)
+    assert not np.allclose(eu.values, tk.values)
+    assert not np.allclose(tk.values, strong.values)
