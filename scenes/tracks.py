@@ -59,6 +59,12 @@ _SHORTEST_TASK = 1.0
 _NARROW_PASS = 1.3
 """Distance between the centres of a robot and a person who narrowly pass, m."""
 
+ANNOTATION_STEP = 0.4
+"""Time between two annotated frames in the EWAP format, s."""
+
+MOMENT = 4.0
+"""Busy moments of a recording are named at least this far apart, s."""
+
 _ROBOT_TASK = 8.0
 """Distance from the robot's start to its goal, where the studio chooses it, m."""
 
@@ -112,11 +118,13 @@ def scene_from_tracks(
 
 
 def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
-    """The frames with most people, most first, then the earlier: (frame, people).
+    """The moments with most people, most first, then the earlier: (frame, people).
+
+    Moments are at least `MOMENT` apart: two neighbouring frames show the same crowd.
 
     Args:
         path: the recording's folder, or its file of annotations.
-        count: how many frames, at least 1.
+        count: how many moments, at least 1; fewer come back from a short recording.
 
     Raises:
         InputError: if the recording cannot be read, or the count is below 1.
@@ -124,8 +132,16 @@ def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
     if count < 1:
         raise InputError(f"count: {count} is not allowed: at least 1")
     frames, people = np.unique(read_tracks(path).frames, return_counts=True)
-    order = np.lexsort((frames, -people))[:count]
-    return [(int(frames[i]), int(people[i])) for i in order]
+    step = np.diff(frames).min(initial=np.iinfo(np.int32).max)  # frames between annotations
+    apart = step * round(MOMENT / ANNOTATION_STEP)
+    chosen: list[tuple[int, int]] = []
+    for index in np.lexsort((frames, -people)):
+        frame = int(frames[index])
+        if all(abs(frame - other) >= apart for other, _ in chosen):
+            chosen.append((frame, int(people[index])))
+        if len(chosen) == count:
+            break
+    return chosen
 
 
 def scene_at(

@@ -164,11 +164,13 @@ def test_the_robots_task_can_be_given(recording) -> None:
     assert math.dist(only_goal.start, (0.0, 1.0)) < 8.0  # near the people all the same
 
 
-def test_the_busiest_frames_come_first(recording) -> None:
-    lines = rows({1: walker(0, 0, 1, 0)}, 6) + rows({2: walker(0, 5, 1, 0)}, 3)[1:]
-    folder = recording(lines)
-    assert busiest_frames(folder, 3) == [(106, 2), (112, 2), (100, 1)]
-    assert len(busiest_frames(folder)) == 6
+def test_the_busiest_moments_come_first_and_are_seconds_apart(recording) -> None:
+    alone, joined = {1: walker(0, 0, 1, 0)}, {2: walker(0, 5, 1, 0)}
+    later = [line for line in rows(joined, 16) if int(line.split()[0]) >= 172]  # from step 12 on
+    folder = recording(rows(alone, 16) + later)
+    # 4 s are ten annotations, that is 60 frames
+    assert busiest_frames(folder) == [(172, 2), (100, 1)]
+    assert busiest_frames(folder, 1) == [(172, 2)]
 
 
 def test_a_recording_is_its_folder_or_its_file(recording) -> None:
