@@ -60,8 +60,7 @@ def describe(
         dt: length of a step, s.
     """
     place = robot[..., :2]
-    centres = length(pedestrians - place[..., None, :])  # (A, K, T+1, P)
-    gap = centres - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    gap = length(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
     clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
     aside = length(pedestrians - without_robot)  # (A, K, T+1, P)
     deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])

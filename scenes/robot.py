@@ -49,27 +49,34 @@ def drive(
     Returns:
         [A, K, T+1, 4]: x and y in m, heading in rad, speed in m/s.
     """
-    rollouts, steps = disturbance.robot_speed.shape
-    walls = scene.wall_segments
-    command_v = np.array([action.speed for action in actions])[:, None]
-    command_w = np.array([action.turn_rate for action in actions])[:, None]
-    x, y = (np.full((len(actions), rollouts), coordinate) for coordinate in scene.robot.start)
-    heading = np.full_like(x, scene.robot.start_heading)
-    v, w = np.full_like(x, scene.robot.speed), np.zeros_like(x)
-    blocked = np.zeros(x.shape, dtype=bool)
-    path = np.empty((len(actions), rollouts, steps + 1, 4))
-    path[:, :, 0] = np.stack([x, y, heading, v], axis=-1)
-    for step in range(steps):
-        v = np.clip(command_v, v - limits.acceleration * dt, v + limits.acceleration * dt)
-        w = np.clip(command_w, w - limits.turn_acceleration * dt, w + limits.turn_acceleration * dt)
-        driven = np.where(blocked, 0.0, v * np.maximum(1.0 + disturbance.robot_speed[:, step], 0.0))
-        turned = np.where(blocked, 0.0, (w + driven * disturbance.robot_turn[:, step]) * dt)
-        # The chord of the arc points along the heading halfway through the step.
-        x = x + driven * dt * np.cos(heading + turned / 2)
-        y = y + driven * dt * np.sin(heading + turned / 2)
-        heading = heading + turned
-        if len(walls):
-            gap = distance_to_segments(np.stack([x, y], axis=-1), walls).min(axis=-1)
-            blocked = blocked | (gap < ROBOT_RADIUS)
-        path[:, :, step + 1] = np.stack([x, y, heading, np.where(blocked, 0.0, driven)], axis=-1)
-    return path
+    robot = scene.robot
+    time = dt * np.arange(1, disturbance.robot_speed.shape[1] + 1)  # (T,)
+    command_v = np.array([[action.speed] for action in actions])  # (A, 1)
+    command_w = np.array([[action.turn_rate] for action in actions])
+    reach_v, reach_w = limits.acceleration * time, limits.turn_acceleration * time
+    v = np.clip(command_v, robot.speed - reach_v, robot.speed + reach_v)[:, None]  # (A, 1, T)
+    w = np.clip(command_w, -reach_w, reach_w)[:, None]
+
+    driven = v * np.maximum(1.0 + disturbance.robot_speed, 0.0)  # (A, K, T)
+    turned = (w + driven * disturbance.robot_turn) * dt
+    heading = robot.start_heading + np.cumsum(turned, axis=-1)
+    # The chord of each arc points along the heading halfway through the step.
+    x = robot.start[0] + np.cumsum(driven * dt * np.cos(heading - turned / 2), axis=-1)
+    y = robot.start[1] + np.cumsum(driven * dt * np.sin(heading - turned / 2), axis=-1)
+
+    free = np.empty((*driven.shape[:2], len(time) + 1, 4))
+    free[:, :, 0] = (*robot.start, robot.start_heading, robot.speed)
+    free[:, :, 1:] = np.stack([x, y, heading, driven], axis=-1)
+    return _stopped_by_walls(free, scene.wall_segments)
+
+
+def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
+    """The path up to the first step at which the robot touches a wall; there it stays."""
+    if not len(walls):
+        return path
+    touches = distance_to_segments(path[..., :2], walls).min(axis=-1) < ROBOT_RADIUS
+    last = np.where(touches.any(axis=-1), touches.argmax(axis=-1), path.shape[2])  # (A, K)
+    step = np.minimum(np.arange(path.shape[2]), last[..., None])  # (A, K, T+1)
+    stopped = np.take_along_axis(path, step[..., None], axis=2)
+    stopped[step == last[..., None], 3] = 0.0
+    return stopped
