@@ -1,0 +1,189 @@
+"""The pages of a recording, in Markdown: what one sees, and how to make it again."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+
+import numpy as np
+
+from learners import REWARD
+from scenes import FEATURES, Rollouts, scene_to_toml
+from studio import entities
+from studio.judgements import Judgement
+from studio.naming import counted, number, teacher_name
+
+
+def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
+    """What to look at first: the actions in a table, and which one each teacher picks."""
+    scene, count = rollouts.scene, rollouts.robot.shape[1]
+    picks = [
+        f"**{teacher_name(judgement.teacher)}** picks {_link(rollouts, judgement.best)}"
+        for judgement in judgements
+    ]
+    return "\n".join(
+        [
+            f"# {scene.name}",
+            "",
+            f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
+            f"{counted(count, 'time')}: balls are the robot and the people in the first of these "
+            "futures, in true size, dots are where they are in the others. People are grey. A "
+            "robot turns red once it has touched somebody or a wall; a red cross marks where.",
+            "",
+            *_outcome_table(rollouts, judgements),
+            "",
+            f"{'; '.join(picks)}.",
+        ]
+    )
+
+
+def about_page(
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    settings: Mapping[str, object],
+    versions: Mapping[str, str],
+) -> str:
+    """Everything there is to know about a recording."""
+    scene, count = rollouts.scene, rollouts.robot.shape[1]
+    steps = rollouts.robot.shape[2] - 1
+    actions = [
+        f"| {_link(rollouts, index)} | {number(action.speed)} | {number(action.turn_rate)} |"
+        for index, action in enumerate(rollouts.actions)
+    ]
+    minds = [
+        f"| {teacher_name(judgement.teacher)} | "
+        + " | ".join(f"{number:g}" for number in _parameters(judgement))
+        + " |"
+        for judgement in judgements
+    ]
+    rewards = [
+        f"| {feature} | {number(worth)} |" for feature, worth in zip(FEATURES, REWARD, strict=True)
+    ]
+    further = {
+        **{f"noise: {name}": given for name, given in asdict(rollouts.noise).items()},
+        **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
+        **settings,
+        **{f"version: {name}": given for name, given in versions.items()},
+    }
+    command = (
+        f"studio record --scene {scene.name}.toml --seed {rollouts.seed} --rollouts {count} "
+        f"--horizon {rollouts.horizon:g} --model {rollouts.model} --engine {rollouts.engine}"
+    )
+    return "\n".join(
+        [
+            f"# {scene.name}",
+            "",
+            f"A robot and {_people(rollouts)}, `{scene.family}`, `{scene.pattern}`. Under each "
+            f"action the scene was simulated {counted(count, 'time')} for {rollouts.horizon:g} s, "
+            "always with the same luck: actions differ in nothing but the action.",
+            "",
+            "## What one sees",
+            "",
+            f"* [The world](recording://{entities.WORLD}) from above, on a grid of metres; the "
+            "robot starts at the ring with the nose and is headed for the target.",
+            "* A coloured ball is the robot in the first future, a grey ball a person in that "
+            "future, both in true size. Dots are the robot and the people in the other futures.",
+            "* A robot turns red at the step at which it first touches a person or a wall; a red "
+            "cross marks where. Faint lines are the paths that robots take.",
+            "* Histograms count the outcomes by feature, in bins that all actions share; the "
+            "number at the upper left is the height of the tallest bar.",
+            "* The gap over time is that between the robot and the nearest person: the median, "
+            "and a band from the 10 % to the 90 % quantile.",
+            f"* Minds: how much a probability [of a gain](recording://{entities.GAIN_WEIGHTS}) and "
+            f"[of a loss](recording://{entities.LOSS_WEIGHTS}) counts, how good a gain "
+            f"[feels](recording://{entities.VALUES}) and how bad a loss, and what that "
+            f"[makes of the actions](recording://{entities.COMPARISON}).",
+            "",
+            "Press space to stop and go on; double-click a view to set it back.",
+            "",
+            "## Actions",
+            "",
+            "| action | speed v, m/s | turn rate ω, rad/s |",
+            "|:--|--:|--:|",
+            *actions,
+            "",
+            "## Outcomes",
+            "",
+            *_outcome_table(rollouts, judgements),
+            "",
+            "## Teachers",
+            "",
+            "An outcome with features φ has utility x = θ·φ. A teacher values it at x^α as a gain "
+            "and −λ(−x)^η as a loss, and counts probabilities p as exp(−(−ln p)^γ) for gains, "
+            "with δ for losses. All ones is expected utility (EU).",
+            "",
+            "| teacher | α | η | λ | γ | δ |",
+            "|:--|--:|--:|--:|--:|--:|",
+            *minds,
+            "",
+            "| feature φ | worth θ |",
+            "|:--|--:|",
+            *rewards,
+            "",
+            "## Make it again",
+            "",
+            f"Save the scene below as `{scene.name}.toml`, then run",
+            "",
+            "```sh",
+            command,
+            "```",
+            "",
+            "| setting | value |",
+            "|:--|:--|",
+            f"| seed | {rollouts.seed} |",
+            f"| rollouts | {count} |",
+            f"| steps | {steps} of {rollouts.dt:g} s |",
+            f"| model | {rollouts.model} |",
+            f"| engine | {rollouts.engine} |",
+            f"| wrap_angles | {rollouts.wrap_angles} |",
+            *(f"| {name} | {given} |" for name, given in further.items()),
+            "",
+            "```toml",
+            scene_to_toml(scene).rstrip(),
+            "```",
+        ]
+    )
+
+
+def _outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
+    """One row an action: contacts, gap, progress, and its value to every teacher."""
+    count = rollouts.robot.shape[1]
+    contacts = (rollouts.contact_step >= 0).sum(axis=1)
+    gap = np.median(rollouts.clearance_m, axis=1)
+    progress = rollouts.progress_m.mean(axis=1)
+    values = " | ".join(f"V {teacher_name(judgement.teacher)}" for judgement in judgements)
+    lines = [
+        f"| action | contact | median gap, m | mean progress, m | {values} |",
+        "|:--|--:|--:|--:|" + "--:|" * len(judgements),
+    ]
+    for index in range(len(rollouts.actions)):
+        worths = []
+        for judgement in judgements:
+            worth = number(judgement.values[index], ".3f")
+            worths.append(f"**{worth}** ★" if index == judgement.best else worth)
+        lines.append(
+            f"| {_link(rollouts, index)} | {contacts[index]} of {count} | {gap[index]:.2f} | "
+            f"{progress[index]:.2f} | {' | '.join(worths)} |"
+        )
+    return lines
+
+
+def _link(rollouts: Rollouts, index: int) -> str:
+    name = rollouts.actions[index].name
+    # Markdown ends a link at a space unless it is in angle brackets, and eats backslashes
+    target = entities.action(name).replace("\\", "\\\\")
+    return f"[{name}](<recording://{target}>)"
+
+
+def _people(rollouts: Rollouts) -> str:
+    people = len(rollouts.scene.pedestrians)
+    return {0: "nobody", 1: "one person"}.get(people, f"{people} people")
+
+
+def _parameters(judgement: Judgement) -> tuple[float, ...]:
+    parameters = judgement.parameters
+    return (
+        parameters.alpha,
+        parameters.eta,
+        parameters.loss_aversion,
+        parameters.gamma,
+        parameters.delta,
+    )

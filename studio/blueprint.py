@@ -1,0 +1,134 @@
+"""How a recording looks when it opens: its tabs, views, and the time that plays.
+
+Every view costs about ten kilobytes, and every style that a view lays over the data five more, so
+views are few and show things as they were logged.
+"""
+
+import rerun.blueprint as rrb
+
+from scenes import Rollouts
+from studio import entities
+from studio.framing import Bounds
+from studio.log_outcomes import comparison_bounds, distributions_bounds
+from studio.naming import counted, short
+from studio.palette import LIGHT
+
+
+def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
+    """The tabs of a recording: overview, one an action, minds, about."""
+    return rrb.Blueprint(
+        rrb.Tabs(
+            overview_tab(rollouts, teachers, bounds),
+            *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
+            minds_tab(rollouts, teachers),
+            page_view(entities.ABOUT, "About"),
+            active_tab=0,
+        ),
+        rrb.TimePanel(
+            state="collapsed", timeline="sim_time", play_state="playing", loop_mode="all"
+        ),
+        collapse_panels=True,
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
+    """All actions in one world, what came of them, and what the teachers make of it."""
+    names = [action.name for action in rollouts.actions]
+    contents = [entities.LABELS]
+    for name in names:
+        contents += [entities.robots(name), entities.pedestrians(name), entities.paths(name)]
+    count = rollouts.robot.shape[1]
+    title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
+    return rrb.Horizontal(
+        rrb.Vertical(
+            world_view(contents, bounds, title),
+            comparison_view(rollouts, teachers),
+            row_shares=[3, 2],
+        ),
+        rrb.Vertical(
+            page_view(entities.SUMMARY, "Summary"),
+            *([clearance_view()] if rollouts.scene.pedestrians else []),
+            row_shares=[3, 2] if rollouts.scene.pedestrians else [1],
+        ),
+        column_shares=[5, 3],
+        name="Overview",
+    )
+
+
+def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
+    """One action: its world, and how its outcomes are distributed."""
+    name, count = rollouts.actions[index].name, rollouts.robot.shape[1]
+    contacts = int((rollouts.contact_step[index] >= 0).sum())
+    title = f"{name}: {counted(count, 'future')}, {contacts} with contact (grid of 1 m)"
+    return rrb.Vertical(
+        world_view([f"{entities.action(name)}/**"], bounds, title),
+        figure_view(
+            entities.distributions(name),
+            distributions_bounds(rollouts),
+            f"{name}: outcomes by feature, and the gap to the nearest person "
+            "(median, 10 to 90 %) over time",
+        ),
+        row_shares=[5, 2],
+        name=short(name),
+    )
+
+
+def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+    """How the teachers weigh probabilities, value gains and losses, and choose."""
+    page = (-0.15, -0.12, 1.05, 1.06)
+    return rrb.Vertical(
+        rrb.Horizontal(
+            figure_view(entities.GAIN_WEIGHTS, page, "w(p) of gains: how much p counts"),
+            figure_view(entities.LOSS_WEIGHTS, page, "w(p) of losses: how much p counts"),
+            figure_view(entities.VALUES, page, "v(x): how good the utility x feels"),
+        ),
+        comparison_view(rollouts, teachers),
+        name="Minds",
+    )
+
+
+def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
+    """A view of the world: what does not move, and the given contents."""
+    fixed = [entities.GRID, entities.WALLS, entities.TASK]
+    return drawn_view([*fixed, *contents], bounds, title)
+
+
+def comparison_view(rollouts: Rollouts, teachers: int) -> rrb.View:
+    """The table that compares all actions."""
+    title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
+    return figure_view(entities.COMPARISON, comparison_bounds(rollouts, teachers), title)
+
+
+def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
+    """A drawn figure on its page."""
+    return drawn_view([f"{figure}/**"], bounds, title)
+
+
+def drawn_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
+    """A view of drawn things on light ground, framed by bounds whose y counts upwards."""
+    x0, y0, x1, y1 = bounds
+    return rrb.Spatial2DView(
+        # only views from the root apply the transform that turns y upwards
+        origin="/",
+        contents=[f"+ /{path}" for path in (entities.GROUND, *contents)],
+        name=title,
+        visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
+    )
+
+
+def clearance_view() -> rrb.View:
+    """Median clearance over time under every action."""
+    return rrb.TimeSeriesView(
+        origin=f"/{entities.CLEARANCE}",
+        name="median gap to the nearest person, m (colours as on the left)",
+        plot_legend=rrb.PlotLegend(visible=False),
+        # Rerun's grid is black on light ground
+        background=rrb.archetypes.PlotBackground(color=LIGHT.panel, show_grid=False),
+    )
+
+
+def page_view(path: str, title: str) -> rrb.View:
+    """A page of Markdown."""
+    return rrb.TextDocumentView(origin=f"/{path}", name=title)

@@ -1,0 +1,109 @@
+"""Figures drawn from lines, for plots that Rerun has no view for.
+
+Everything in a recording that has a name of its own costs about a kilobyte, however little it
+holds. A figure therefore is a single set of lines; its texts are labels of lines without length.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import rerun as rr
+from numpy.typing import ArrayLike
+
+from studio.judgements import FloatArray
+from studio.palette import LIGHT, Colour
+
+GROUND_REACH = 3000.0
+"""The ground reaches this far from the origin, farther than any place of a scene, m."""
+
+OVERLAP = 1.6
+"""Strokes that fill an area are this much wider than they are apart: less shows seams."""
+
+DOT_LENGTH = 1e-3
+"""A line of no length is not drawn, so dots are lines of this length, in the figure's units."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Lines and texts that become one entity.
+
+    Attributes:
+        lift: how much higher than their places texts are put, in the figure's units, because the
+            viewer hangs a label below its line.
+        lines: [N, 2] each, in the figure's units.
+        colours: one a line.
+        radii: one a line, in the figure's units; negative in pixels, as Rerun has it.
+        texts: the words and the place that they are centred on.
+    """
+
+    lift: float = 0.0
+    lines: list[FloatArray] = field(default_factory=list)
+    colours: list[Colour] = field(default_factory=list)
+    radii: list[float] = field(default_factory=list)
+    texts: list[tuple[str, FloatArray]] = field(default_factory=list)
+
+    def line(self, points: ArrayLike, colour: Colour, pixels: float = 1.4) -> None:
+        """Draw a line through points [N, 2], so many pixels wide however near one looks."""
+        self._add(points, colour, -pixels / 2.0)
+
+    def stroke(self, points: ArrayLike, colour: Colour, width: float) -> None:
+        """Draw a line through points [N, 2] with a width in the figure's units."""
+        self._add(points, colour, width / 2.0)
+
+    def fill(self, x: FloatArray, low: FloatArray, high: FloatArray, colour: Colour) -> None:
+        """Fill the area between two curves low(x) and high(x), [N] each, N > 1, evenly spaced.
+
+        One line runs up and down through the area. It is wider than its turns are apart, and
+        turns where its edge meets the curves.
+        """
+        radius = OVERLAP * (x[1] - x[0]) / 2.0
+        ends = np.stack([low + radius, np.maximum(high - radius, low + radius)], axis=-1)
+        ends[1::2] = ends[1::2, ::-1]  # every other turn runs down
+        self.stroke(np.stack([np.repeat(x, 2), ends.ravel()], axis=-1), colour, 2.0 * radius)
+
+    def dot(self, place: Sequence[float], colour: Colour, pixels: float) -> None:
+        """Draw a disc so many pixels wide."""
+        x, y = place
+        self.line([(x - DOT_LENGTH / 2, y), (x + DOT_LENGTH / 2, y)], colour, pixels)
+
+    def text(self, place: Sequence[float], words: str) -> None:
+        """Write words centred on a place (x, y)."""
+        x, y = place
+        self.texts.append((words, np.array([x, y + self.lift])))
+
+    def log(self, stream: rr.RecordingStream, path: str, draw_order: float | None = None) -> None:
+        """Add the drawing to a recording; what has a higher draw order lies above the rest."""
+        # labels belong to the first lines; where there are fewer of them, the rest have none
+        anchors = [np.stack([place, place]) for _, place in self.texts]
+        lines = rr.LineStrips2D(
+            [*anchors, *self.lines],
+            colors=[LIGHT.ink] * len(anchors) + self.colours,
+            radii=[0.0] * len(anchors) + self.radii,
+            labels=[words for words, _ in self.texts] or None,
+            show_labels=True if self.texts else None,
+            draw_order=draw_order,
+        )
+        stream.log(path, lines, static=True)
+
+    def _add(self, points: ArrayLike, colour: Colour, radius: float) -> None:
+        self.lines.append(np.asarray(points, dtype=np.float64))
+        self.colours.append(colour)
+        self.radii.append(radius)
+
+
+def log_ground(stream: rr.RecordingStream, path: str) -> None:
+    """Lay light ground under everything.
+
+    One short line of enormous width: it is a fifth of the size of a background for every view.
+    """
+    stream.log(
+        path,
+        rr.LineStrips2D(
+            [[(-GROUND_REACH, 0.0), (GROUND_REACH, 0.0)]],
+            colors=LIGHT.panel,
+            radii=GROUND_REACH,
+            draw_order=-100.0,
+        ),
+        static=True,
+    )

@@ -1,0 +1,57 @@
+"""What the things in a recording are called: its application and its entity paths.
+
+The recording, its blueprint and its text all take their paths from here.
+"""
+
+import rerun as rr
+
+APPLICATION = "prospect_studio_scene"
+"""Blueprints belong to an application, so each kind of recording is one of its own."""
+
+GROUND = "ground"
+WORLD = "world"
+GRID = "world/grid"
+WALLS = "world/walls"
+TASK = "world/task"
+LABELS = "world/labels"
+FIGURES = "figures"
+COMPARISON = "figures/comparison"
+COMPARED_OUTCOMES = "figures/comparison/outcomes"
+GAIN_WEIGHTS = "figures/weights_of_gains"
+LOSS_WEIGHTS = "figures/weights_of_losses"
+VALUES = "figures/values"
+OUTCOMES = "outcomes"
+JUDGEMENTS = "judgements"
+CLEARANCE = "clearance"
+SUMMARY = "summary"
+ABOUT = "about"
+
+
+def action(name: str) -> str:
+    """The world under one action."""
+    return f"{WORLD}/actions/{_part(name)}"
+
+
+def robots(name: str) -> str:
+    """The K robots under one action."""
+    return f"{action(name)}/robots"
+
+
+def pedestrians(name: str) -> str:
+    """The K times P pedestrians under one action."""
+    return f"{action(name)}/pedestrians"
+
+
+def paths(name: str) -> str:
+    """The paths of the K robots under one action, and where they touched something."""
+    return f"{action(name)}/paths"
+
+
+def distributions(name: str) -> str:
+    """The figure of how the outcomes of one action are distributed."""
+    return f"{FIGURES}/actions/{_part(name)}"
+
+
+def _part(name: str) -> str:
+    """A name as one part of an entity path, whatever characters it has."""
+    return rr.escape_entity_path_part(name)

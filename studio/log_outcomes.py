@@ -1,0 +1,255 @@
+"""The outcomes in a recording: their numbers, how they are distributed, and how actions compare."""
+
+from typing import Any
+
+import numpy as np
+import rerun as rr
+
+from scenes import FEATURES, Rollouts
+from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio import entities
+from studio.drawing import OVERLAP, Drawing
+from studio.framing import Bounds
+from studio.judgements import FloatArray, Judgement
+from studio.log_world import rounded, time_columns
+from studio.naming import number, short, teacher_name
+from studio.palette import LIGHT, Colour, action_colour, blend
+
+BINS: dict[str, tuple[float, float, float]] = {
+    "clearance": (0.0, 1.0, 0.05),
+    "deviation": (0.0, 1.0, 0.05),
+    "progress": (0.0, 1.0, 0.05),
+    "smoothness": (0.0, 1.0, 0.05),
+    "collisions": (-0.5, 4.5, 1.0),
+}
+"""Least range and width of the bins of each feature's histogram, in its scaled unit."""
+
+ROUNDING = 1e-9
+"""A value that leaves the bins by this share of one does so by rounding only."""
+
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.3
+"""Of the panels of a figure of distributions, in units of the page."""
+
+STROKE = 0.02
+"""How far apart the strokes that fill a bar are at most, in units of the page."""
+
+COLUMN_WIDTH, ROW_HEIGHT = 1.2, 0.45
+"""Of the table that compares actions, in units of the page."""
+
+GOLDEN_RATIO = 0.618034
+
+
+def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+    """Keep the numbers of every outcome: one row a rollout, the actions one after another."""
+    features = rollouts.features.astype(np.float32)
+    columns: dict[str, Any] = {
+        feature: features[..., column].ravel() for column, feature in enumerate(FEATURES)
+    }
+    columns["contact_step"] = rollouts.contact_step.ravel()
+    stream.log(entities.OUTCOMES, rr.AnyValues(**columns), static=True)
+
+
+def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+    """Plot the median gap to the nearest pedestrian over time, a series an action."""
+    medians = np.median(gaps(rollouts), axis=1).T  # (T+1, A)
+    stream.send_columns(
+        entities.CLEARANCE,
+        time_columns(rollouts),
+        rr.Scalars.columns(scalars=medians.ravel()).partition([medians.shape[1]] * len(medians)),
+    )
+    stream.log(
+        entities.CLEARANCE,
+        rr.SeriesLines(
+            colors=[action_colour(index) for index in range(medians.shape[1])],
+            widths=2.0,
+            names=[short(action.name) for action in rollouts.actions],
+        ),
+        static=True,
+    )
+
+
+def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+    """Draw a figure an action: a histogram a feature, and clearance over time."""
+    edges = [
+        bin_edges(feature, rollouts.features[..., column])
+        for column, feature in enumerate(FEATURES)
+    ]
+    if rollouts.scene.pedestrians:
+        gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
+    for index, action in enumerate(rollouts.actions):
+        drawing, colour = Drawing(lift=0.06), action_colour(index)
+        for column, feature in enumerate(FEATURES):
+            left = column * (PANEL_WIDTH + PANEL_GAP)
+            counts, _ = np.histogram(rollouts.features[index, :, column], edges[column])
+            draw_histogram(drawing, left, feature, edges[column], counts, colour)
+        if rollouts.scene.pedestrians:
+            left = len(FEATURES) * (PANEL_WIDTH + PANEL_GAP)
+            ends = float(min(0.0, gap_quantiles.min())), float(gap_quantiles.max())
+            draw_band(drawing, left, rollouts.horizon, ends, gap_quantiles[:, index], colour)
+        drawing.log(stream, entities.distributions(action.name))
+
+
+def draw_histogram(
+    drawing: Drawing,
+    left: float,
+    feature: str,
+    edges: FloatArray,
+    counts: FloatArray,
+    colour: Colour,
+) -> None:
+    """Draw the histogram of a feature into the panel that begins at `left`."""
+    peak, bar = int(counts.max()), PANEL_WIDTH / len(counts)
+    strokes = max(3, int(np.ceil(bar / STROKE)))
+    # such that the bar with the width of its strokes leaves a little gap to the next
+    reach = 0.48 * bar / (1.0 + OVERLAP / (strokes - 1))
+    offsets = np.linspace(-reach, reach, strokes)
+    for place in np.flatnonzero(counts):
+        height = PANEL_HEIGHT * counts[place] / peak
+        x = left + (place + 0.5) * bar + offsets
+        drawing.fill(x, np.zeros(strokes), np.full(strokes, height), colour)
+    draw_frame(drawing, left, feature)
+    low, high, margin = edges[0], edges[-1], 0.0
+    if feature == "collisions":  # whole numbers, written below the middle of their bins
+        low, high, margin = low + 0.5, high - 0.5, bar / 2
+    drawing.text((left + margin, -0.12), tick(low))
+    drawing.text((left + PANEL_WIDTH - margin, -0.12), tick(high))
+    drawing.text((left - 0.08, PANEL_HEIGHT), str(peak))
+
+
+def draw_band(
+    drawing: Drawing,
+    left: float,
+    horizon: float,
+    ends: tuple[float, float],
+    quantiles: FloatArray,
+    colour: Colour,
+) -> None:
+    """Draw the median gap over time and its 10 to 90 % band into the panel that begins at `left`.
+
+    Args:
+        drawing: what to draw into.
+        left: where the panel begins.
+        horizon: end of the time axis, s.
+        ends: lowest and highest gap, m.
+        quantiles: [3, T+1], the 10 %, 50 % and 90 % quantiles, m.
+        colour: of the action.
+    """
+    low, high = ends
+    scale = PANEL_HEIGHT / (high - low)
+    x = left + np.linspace(0.0, PANEL_WIDTH, quantiles.shape[1])
+    bottom, middle, top = scale * (quantiles - low)
+    pale = blend(colour, LIGHT.panel, 0.25)
+    drawing.fill(x, bottom, top, pale)
+    draw_frame(drawing, left, "gap over time")
+    drawing.line([(left, -low * scale), (left + PANEL_WIDTH, -low * scale)], LIGHT.faint, 1.0)
+    drawing.line(np.stack([x, middle], axis=-1), colour, 3.0)
+    drawing.text((left, -0.12), "0 s")
+    drawing.text((left + PANEL_WIDTH, -0.12), f"{horizon:g} s")
+    drawing.text((left - 0.1, PANEL_HEIGHT), f"{high:.1f} m")
+    drawing.text((left - 0.1, -low * scale), "0 m")
+
+
+def draw_frame(drawing: Drawing, left: float, title: str) -> None:
+    """Draw a panel's foot and write its title above it."""
+    drawing.line([(left, 0.0), (left + PANEL_WIDTH, 0.0)], LIGHT.faint, 1.0)
+    drawing.text((left + PANEL_WIDTH / 2, PANEL_HEIGHT + 0.14), title)
+
+
+def log_comparison(
+    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...]
+) -> None:
+    """Draw a table of all outcomes: a row an action, a column a feature and a teacher.
+
+    Every column has a scale of its own. A small dot is an outcome, a large one the median of a
+    feature or the value to a teacher, who picks the action with the black ring.
+    """
+    drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
+    actions = range(len(rollouts.actions))
+    rows = -ROW_HEIGHT * (np.arange(len(actions), dtype=np.float64) + 0.5)
+    # the dots of a row are spread upwards evenly, so that they do not hide one another
+    heights = rows[:, None] + 0.6 * ROW_HEIGHT * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
+    clouds = []
+    for row, action in zip(rows, rollouts.actions, strict=True):
+        drawing.text((-0.6, row), short(action.name))
+    for column, feature in enumerate(FEATURES):
+        places = draw_column(drawing, column, feature, rollouts.features[..., column], rows)
+        clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
+        for index in actions:
+            drawing.dot((np.median(places[index]), rows[index]), action_colour(index), 9.0)
+    for column, judgement in enumerate(judgements, start=len(FEATURES)):
+        title = f"V {teacher_name(judgement.teacher)}"
+        places = draw_column(drawing, column, title, judgement.values, rows)
+        drawing.dot((places[judgement.best], rows[judgement.best]), LIGHT.ink, 17.0)
+        for index in actions:
+            drawing.dot((places[index], rows[index]), action_colour(index), 11.0)
+    drawing.log(stream, entities.COMPARISON)
+    faint = [blend(action_colour(index), LIGHT.panel, 0.5) for index in actions]
+    stream.log(
+        entities.COMPARED_OUTCOMES,
+        rr.Points2D(
+            rounded(np.stack(clouds, axis=1)).reshape(-1, 2),
+            colors=np.repeat(faint, len(FEATURES) * count, axis=0),
+            radii=rr.Radius.ui_points(1.4),
+            draw_order=15.0,
+        ),
+        static=True,
+    )
+
+
+def draw_column(
+    drawing: Drawing, column: int, title: str, values: FloatArray, rows: FloatArray
+) -> FloatArray:
+    """Draw the title and the zero line of a column.
+
+    Returns:
+        Where the values lie across, in the shape of the values.
+    """
+    left, width = column * COLUMN_WIDTH, 0.8 * COLUMN_WIDTH
+    low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
+    stretch = width / (high - low or 1.0)
+    zero = left - low * stretch
+    drawing.line([(zero, 0.0), (zero, rows[-1] - ROW_HEIGHT / 2)], LIGHT.faint, 1.0)
+    drawing.text((left + width / 2, 0.2), title)
+    reach = f"{number(low, '.2g')} to {number(high, '.2g')}"
+    drawing.text((left + width / 2, rows[-1] - 0.8 * ROW_HEIGHT), reach)
+    return zero + stretch * values
+
+
+def tick(value: float) -> str:
+    """An edge of a bin in words, without what rounding adds to it."""
+    return number(round(value, 6) + 0.0)  # + 0.0 turns a −0 into a 0
+
+
+def gaps(rollouts: Rollouts) -> FloatArray:
+    """Gap between each robot and the nearest pedestrian, negative where they overlap.
+
+    Returns:
+        [A, K, T+1], m.
+    """
+    apart = np.linalg.norm(rollouts.pedestrians - rollouts.robot[..., None, :2], axis=-1)
+    gap: FloatArray = apart.min(axis=-1) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    return gap
+
+
+def bin_edges(feature: str, values: FloatArray) -> FloatArray:
+    """Edges of the bins of a feature: its least range, widened by whole bins to hold all values."""
+    low, high, width = BINS[feature]
+    below = max(0, int(np.ceil((low - values.min()) / width - ROUNDING)))
+    above = max(0, int(np.ceil((values.max() - high) / width - ROUNDING)))
+    bins = round((high - low) / width) + below + above
+    edges = low + width * np.arange(-below, bins - below + 1, dtype=np.float64)
+    edges[[0, -1]] += (-ROUNDING * width, ROUNDING * width)
+    return edges
+
+
+def distributions_bounds(rollouts: Rollouts) -> Bounds:
+    """What a view of a figure of distributions must show."""
+    panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
+    width = panels * (PANEL_WIDTH + PANEL_GAP) - PANEL_GAP
+    return -0.25, -0.3, width + 0.15, PANEL_HEIGHT + 0.25
+
+
+def comparison_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
+    """What a view of the comparison must show."""
+    columns = len(FEATURES) + teachers
+    return -1.1, -ROW_HEIGHT * (len(rollouts.actions) + 1), columns * COLUMN_WIDTH, 0.35

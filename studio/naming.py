@@ -1,0 +1,26 @@
+"""What people call things, in figures and in text."""
+
+LONGEST_NAME = 22
+"""Longer names of actions are cut in figures, in characters."""
+
+TEACHER_NAMES = {"eu": "EU", "tk": "T&K", "strong": "Strong"}
+
+
+def teacher_name(teacher: str) -> str:
+    """What people call a teacher."""
+    return TEACHER_NAMES.get(teacher, teacher)
+
+
+def short(name: str) -> str:
+    """A name that fits into a figure."""
+    return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"
+
+
+def number(value: float, form: str = "g") -> str:
+    """A number with the minus sign that people write."""
+    return format(value, form).replace("-", "−")
+
+
+def counted(count: int, thing: str) -> str:
+    """So many of a thing."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

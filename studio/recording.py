@@ -1,0 +1,178 @@
+"""Write what was simulated, and what three teachers make of it, as a Rerun recording.
+
+`recordings/README.md` is the reference of what a recording holds; `SCHEMA_VERSION` counts its
+editions.
+"""
+
+import hashlib
+import sys
+from collections.abc import Mapping
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import rerun as rr
+import tomli_w
+from rerun.error_utils import catch_and_log_exceptions
+
+from scenes import Rollouts, scene_to_toml
+from studio import entities
+from studio.about import about_page, summary_page
+from studio.blueprint import recording_blueprint
+from studio.drawing import log_ground
+from studio.errors import RunError
+from studio.framing import bounds_to_show
+from studio.judgements import Judgement
+from studio.log_minds import log_judgements, log_values, log_weighting
+from studio.log_outcomes import (
+    log_clearance,
+    log_comparison,
+    log_distributions,
+    log_outcomes,
+)
+from studio.log_world import log_action, log_scene
+
+SCHEMA_VERSION = 1
+"""Edition of the layout that `recordings/README.md` describes."""
+
+PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce", "torch")
+"""Packages whose versions a recording names."""
+
+Property = str | float | int | bool
+
+
+def write_recording(
+    path: Path,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    properties: Mapping[str, Property],
+) -> None:
+    """Write a recording of one scene under all its actions.
+
+    The file at `path` is whole when this returns. If it raises, the file is closed but may hold
+    anything, so write to a temporary name and move it into place.
+
+    Args:
+        path: the `.rrd` file to write.
+        rollouts: what was simulated.
+        judgements: what each teacher thinks of the actions.
+        properties: what else the recording shall say about itself, kept as its property
+            `settings`; what `rollouts` tells is written anyway.
+
+    Raises:
+        RunError: if the file cannot be written.
+    """
+    settings: dict[str, Any] = dict(properties)
+    stream = rr.RecordingStream(
+        entities.APPLICATION, recording_id=_identity(rollouts, settings), send_properties=False
+    )
+    stream.set_log_time_enabled(False)
+    try:
+        # Rerun drops what it cannot log and warns; a recording that lacks something must not pass
+        with catch_and_log_exceptions("write_recording", strict=True):
+            log_everything(stream, path, rollouts, judgements, settings)
+    except RuntimeError as error:  # how Rerun reports whatever goes wrong with a file
+        raise RunError(f"{path}: cannot be written: {str(error).splitlines()[0]}") from error
+
+
+def log_everything(
+    stream: rr.RecordingStream,
+    path: Path,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    settings: dict[str, Any],
+) -> None:
+    """Send the stream to a file, log all there is, and close the file."""
+    bounds = bounds_to_show(rollouts)
+    try:
+        stream.save(path, default_blueprint=recording_blueprint(rollouts, len(judgements), bounds))
+        versions = package_versions()
+        log_properties(stream, rollouts, settings, versions)
+        log_ground(stream, entities.GROUND)
+        log_scene(stream, rollouts, bounds)
+        for index in range(len(rollouts.actions)):
+            log_action(stream, rollouts, index)
+        if rollouts.scene.pedestrians:
+            log_clearance(stream, rollouts)
+        log_outcomes(stream, rollouts)
+        log_judgements(stream, judgements)
+        log_figures(stream, rollouts, judgements)
+        log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
+        log_text(stream, entities.ABOUT, about_page(rollouts, judgements, settings, versions))
+    finally:
+        stream.disconnect()
+
+
+def log_properties(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    settings: dict[str, Any],
+    versions: dict[str, str],
+) -> None:
+    """Name the recording and say what is needed to make it again."""
+    scene, actions = rollouts.scene, rollouts.actions
+    stream.send_recording_name(f"{scene.name}, seed {rollouts.seed}")
+    # a component costs a kilobyte however little it holds, hence text where there are many
+    stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
+    stream.send_property(
+        "simulation",
+        rr.AnyValues(
+            schema_version=SCHEMA_VERSION,
+            seed=rollouts.seed,
+            rollouts=rollouts.robot.shape[1],
+            dt=rollouts.dt,
+            horizon=rollouts.horizon,
+            model=rollouts.model,
+            engine=rollouts.engine,
+            wrap_angles=rollouts.wrap_angles,
+            noise=tomli_w.dumps(asdict(rollouts.noise)),
+            limits=tomli_w.dumps(asdict(rollouts.limits)),
+            actions=tomli_w.dumps({"actions": [asdict(action) for action in actions]}),
+            versions=tomli_w.dumps(versions),
+        ),
+    )
+    if settings:
+        stream.send_property("settings", rr.AnyValues(**settings))
+
+
+def log_figures(
+    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...]
+) -> None:
+    """Draw all figures."""
+    # screens count y downwards, figures count it upwards
+    stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+    log_distributions(stream, rollouts)
+    log_comparison(stream, rollouts, judgements)
+    log_weighting(stream, judgements)
+    log_values(stream, judgements)
+
+
+def log_text(stream: rr.RecordingStream, path: str, markdown: str) -> None:
+    """Add a page of Markdown."""
+    stream.log(path, rr.TextDocument(markdown, media_type=rr.MediaType.MARKDOWN), static=True)
+
+
+def package_versions() -> dict[str, str]:
+    """Versions of Python and of the packages that shape a recording."""
+    versions = {package: version(package) for package in PACKAGES}
+    return {"python": sys.version.split()[0], **versions}
+
+
+def _identity(rollouts: Rollouts, settings: dict[str, Any]) -> str:
+    """An id that is the same for the same simulation: opened twice, it is one recording."""
+    made_of = (
+        scene_to_toml(rollouts.scene),
+        rollouts.actions,
+        rollouts.seed,
+        rollouts.noise,
+        rollouts.limits,
+        rollouts.model,
+        rollouts.engine,
+        rollouts.wrap_angles,
+        rollouts.dt,
+        rollouts.robot.shape,
+        sorted(settings.items()),
+    )
+    digest = hashlib.sha256(repr(made_of).encode()).hexdigest()
+    return f"{rollouts.scene.name}-{digest[:12]}"

@@ -1,0 +1,349 @@
+import math
+import re
+import subprocess
+import sys
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import rerun as rr
+from rerun.chunk import RrdReader
+
+from scenes import (
+    FEATURES,
+    META_ACTIONS,
+    Limits,
+    MetaAction,
+    Noise,
+    Pedestrian,
+    Robot,
+    Rollouts,
+    Scene,
+    Wall,
+    scene_from_toml,
+)
+from studio.errors import RunError
+from studio.judgements import Judgement, judge
+from studio.log_outcomes import bin_edges
+from studio.palette import CONTACT, action_colour
+from studio.recording import SCHEMA_VERSION, write_recording
+
+REFERENCE = Path(__file__).parents[2] / "recordings" / "README.md"
+HALF_A_STEP = 1.0 / 256.0
+SETTINGS = {"command": "studio record --scene test", "threads": 2}
+
+
+def make_rollouts(
+    actions: tuple[MetaAction, ...] = META_ACTIONS[:2],
+    rollouts: int = 3,
+    steps: int = 5,
+    people: int = 2,
+    centre: tuple[float, float] = (0.0, 0.0),
+) -> Rollouts:
+    """Robots that drive their commands and people who walk straight on, all a bit shaken."""
+    rng = np.random.default_rng(0)
+    x, y = centre
+    scene = Scene(
+        name="test",
+        robot=Robot(start=(x - 2.0, y), goal=(x + 4.0, y)),
+        pedestrians=tuple(
+            Pedestrian(start=(x + 1.0 + 0.5 * row, y + 0.1), goal=(x - 5.0, y))
+            for row in range(people)
+        ),
+        walls=(Wall((x, y + 1.0), (x, y + 3.0)),),
+    )
+    times = np.arange(steps + 1) * 0.1
+    speed = np.array([action.speed for action in actions])[:, None, None]
+    turn = np.array([action.turn_rate for action in actions])[:, None, None]
+    shaken = 1.0 + 0.1 * rng.standard_normal((1, rollouts, 1))
+    heading = turn * shaken * times
+    ahead = speed * shaken * times
+    robot = np.stack(
+        [x - 2.0 + ahead * np.cos(heading), y + ahead * np.sin(heading), heading], axis=-1
+    )
+    walk = np.cumsum(0.1 * rng.standard_normal((rollouts, steps + 1, people, 2)), axis=1)
+    walk[..., 0] -= 1.3 * times[:, None]
+    pedestrians = np.broadcast_to(
+        scene.starts + walk, (len(actions), rollouts, steps + 1, people, 2)
+    )
+    shape = (len(actions), rollouts)
+    contact_step = np.full(shape, -1)
+    contact_step[0, 0] = min(2, steps)
+    return Rollouts(
+        scene=scene,
+        actions=actions,
+        seed=7,
+        noise=Noise(),
+        limits=Limits(),
+        model="extended",
+        engine="batched",
+        wrap_angles=True,
+        dt=0.1,
+        robot=robot,
+        pedestrians=pedestrians,
+        without_robot=pedestrians[0],
+        features=rng.uniform(0.0, 1.0, (*shape, len(FEATURES))),
+        clearance_m=rng.uniform(0.0, 2.0, shape),
+        deviation_m=rng.uniform(0.0, 0.5, shape),
+        progress_m=rng.uniform(0.0, 4.0, shape),
+        contact_step=contact_step,
+    )
+
+
+@pytest.fixture(autouse=True)
+def _strict() -> Iterator[None]:
+    before = rr.strict_mode()
+    rr.set_strict_mode(True)
+    yield
+    rr.set_strict_mode(before)
+
+
+@pytest.fixture(scope="module")
+def rollouts() -> Rollouts:
+    return make_rollouts()
+
+
+@pytest.fixture(scope="module")
+def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("recording") / "test.rrd"
+    write_recording(path, rollouts, judge(rollouts), SETTINGS)
+    return path
+
+
+def read(path: Path) -> dict[str, dict[str, list[Any]]]:
+    """Entity path, then component or timeline, to its rows; a static one has one row."""
+    entities: dict[str, dict[str, list[Any]]] = defaultdict(dict)
+    for chunk in RrdReader(path).stream().to_chunks():
+        batch = chunk.to_record_batch()
+        for name in batch.schema.names:
+            if name != "rerun.controls.RowId":
+                entities[str(chunk.entity_path)][name] = batch.column(name).to_pylist()
+    return entities
+
+
+def test_what_was_written_can_be_verified(recording: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "rerun", "rrd", "verify", str(recording)],
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_every_action_has_its_robots_people_paths_and_figure(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    entities = read(recording)
+    for action in rollouts.actions:
+        for part in ("robots", "pedestrians", "paths"):
+            assert f"/world/actions/{action.name}/{part}" in entities
+        assert f"/figures/actions/{action.name}" in entities
+
+
+def test_positions_and_headings_are_those_that_were_given(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    entities = read(recording)
+    for index, action in enumerate(rollouts.actions):
+        robots = entities[f"/world/actions/{action.name}/robots"]
+        positions = np.array(robots["Points2D:positions"]).swapaxes(0, 1)
+        np.testing.assert_allclose(positions, rollouts.robot[index, ..., :2], atol=HALF_A_STEP)
+        heading = np.array(robots["heading"]).swapaxes(0, 1)
+        np.testing.assert_allclose(heading, rollouts.robot[index, ..., 2], atol=2 * HALF_A_STEP)
+        people = entities[f"/world/actions/{action.name}/pedestrians"]["Points2D:positions"]
+        given = rollouts.pedestrians[index].swapaxes(0, 1)
+        np.testing.assert_allclose(np.array(people).reshape(given.shape), given, atol=HALF_A_STEP)
+
+
+def test_time_runs_in_seconds_and_in_steps(recording: Path, rollouts: Rollouts) -> None:
+    robots = read(recording)["/world/actions/forward/robots"]
+    assert robots["step"] == list(range(6))
+    seconds = [time.total_seconds() for time in robots["sim_time"]]
+    assert seconds == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
+
+
+def test_a_robot_is_red_from_the_step_of_its_contact(recording: Path) -> None:
+    entities = read(recording)
+    touched = np.array(entities["/world/actions/forward/robots"]["Points2D:class_ids"]) == 0
+    assert touched[:, 0].tolist() == [False, False, True, True, True, True]
+    assert not touched[:, 1:].any()
+    colours = {
+        info["class_id"]: info["class_description"]["info"]["color"]
+        for info in entities["/world"]["AnnotationContext:context"][0][0]
+    }
+    expected = [CONTACT, action_colour(0), action_colour(1)]
+    assert colours == {
+        number: (red << 24) | (green << 16) | (blue << 8) | 255
+        for number, (red, green, blue) in enumerate(expected)
+    }
+
+
+def test_contacts_are_marked_where_they_happen(recording: Path, rollouts: Rollouts) -> None:
+    strips = read(recording)["/world/actions/forward/paths"]["LineStrips2D:strips"][0]
+    first, second = strips[len(rollouts.robot[0]) :]
+    place = rollouts.robot[0, 0, 2, :2]
+    for stroke in (first, second):
+        np.testing.assert_allclose(np.mean(stroke, axis=0), place, atol=HALF_A_STEP)
+
+
+def test_outcomes_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
+    outcomes = read(recording)["/outcomes"]
+    for column, feature in enumerate(FEATURES):
+        given = rollouts.features[..., column].ravel()
+        np.testing.assert_allclose(outcomes[feature][0], given, rtol=1e-6)
+    assert outcomes["contact_step"][0] == rollouts.contact_step.ravel().tolist()
+
+
+def test_judgements_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
+    values = read(recording)["/judgements"]
+    for judgement in judge(rollouts):
+        np.testing.assert_allclose(values[judgement.teacher][0], judgement.values)
+
+
+def test_clearance_is_the_median_gap_to_the_nearest_person(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    apart = rollouts.pedestrians - rollouts.robot[..., None, :2]
+    gap = np.hypot(apart[..., 0], apart[..., 1]).min(axis=-1) - 0.45
+    series = np.array(read(recording)["/clearance"]["Scalars:scalars"])
+    np.testing.assert_allclose(series, np.median(gap, axis=1).T)
+
+
+def test_properties_suffice_to_make_it_again(recording: Path, rollouts: Rollouts) -> None:
+    entities = read(recording)
+    assert scene_from_toml(entities["/__properties/scene"]["toml"][0][0]) == rollouts.scene
+    simulation = {name: rows[0][0] for name, rows in entities["/__properties/simulation"].items()}
+    assert simulation["schema_version"] == SCHEMA_VERSION
+    assert simulation["seed"] == rollouts.seed
+    assert simulation["rollouts"] == 3
+    assert (simulation["dt"], simulation["horizon"]) == (0.1, 0.5)
+    assert (simulation["model"], simulation["engine"]) == ("extended", "batched")
+    assert simulation["wrap_angles"] is True
+    assert tomllib.loads(simulation["noise"]) == asdict(rollouts.noise)
+    assert tomllib.loads(simulation["limits"]) == asdict(rollouts.limits)
+    actions = tomllib.loads(simulation["actions"])["actions"]
+    assert tuple(MetaAction(**action) for action in actions) == rollouts.actions
+    assert tomllib.loads(simulation["versions"])["rerun-sdk"] == rr.__version__
+    settings = entities["/__properties/settings"]
+    assert {name: rows[0][0] for name, rows in settings.items()} == SETTINGS
+
+
+def test_the_page_tells_the_command_and_links_to_the_actions(recording: Path) -> None:
+    page = read(recording)["/about"]["TextDocument:text"][0][0]
+    assert "studio record --scene test.toml --seed 7 --rollouts 3 --horizon 0.5" in page
+    assert "recording://world/actions/slow_down" in page
+    assert "| noise: desired_speed | 0.26 |" in page
+
+
+def test_links_lead_to_what_is_there(recording: Path) -> None:
+    entities = read(recording)
+    for page in ("/summary", "/about"):
+        text = entities[page]["TextDocument:text"][0][0]
+        for target in re.findall(r"recording://([^)>]+)", text):
+            assert any(path.startswith(f"/{target}") for path in entities), target
+
+
+def test_the_reference_names_every_entity_and_component(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    described: dict[str, set[str]] = defaultdict(set)
+    for row in REFERENCE.read_text(encoding="utf-8").splitlines():
+        cells = row.split(" | ")
+        if not row.startswith("| `/"):
+            continue
+        path, components = cells[0].strip("| `"), set(re.findall(r"`([^`]+)`", cells[1]))
+        if cells[1].strip() == "any":
+            components = set(SETTINGS)
+        timelines = set(re.findall(r"`([^`]+)`", cells[2]))
+        for action in rollouts.actions:
+            described[path.replace("{action}", action.name)] |= components | timelines
+    written = {path: set(names) for path, names in read(recording).items()}
+    assert written == described
+
+
+def test_the_reference_has_the_edition_of_the_layout() -> None:
+    words = " ".join(REFERENCE.read_text(encoding="utf-8").split())
+    assert f"edition {SCHEMA_VERSION} of the layout" in words
+
+
+def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: Rollouts) -> None:
+    reader = RrdReader(recording)
+    (blueprint,) = reader.blueprints()
+    names = set()
+    for chunk in reader.stream(store=blueprint).to_chunks():
+        batch = chunk.to_record_batch()
+        for component in ("ContainerBlueprint:display_name", "ViewBlueprint:display_name"):
+            if component in batch.schema.names:
+                names |= {name for row in batch.column(component).to_pylist() for name in row}
+    assert {"Overview", "Minds", "About", *(action.name for action in rollouts.actions)} <= names
+
+
+@pytest.mark.parametrize(
+    "rollouts",
+    [
+        make_rollouts(people=0),
+        make_rollouts(actions=META_ACTIONS[:1], rollouts=1, steps=1),
+        make_rollouts(people=40),
+        make_rollouts(centre=(350.0, -120.0)),
+        make_rollouts(
+            actions=tuple(
+                MetaAction(f"veer/left & a very long way: {number}!", 0.1 * number, 0.1)
+                for number in range(9)
+            )
+        ),
+        replace(make_rollouts(), contact_step=np.full((2, 3), -1)),
+    ],
+    ids=["nobody", "one of each", "a crowd", "far from zero", "many long names", "no contact"],
+)
+def test_unusual_scenes_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
+    path = tmp_path / "unusual.rrd"
+    write_recording(path, rollouts, judge(rollouts), {})
+    robots = [entity for entity in read(path) if entity.endswith("/robots")]
+    assert len(robots) == len(rollouts.actions)
+
+
+def test_size_stays_near_that_of_the_numbers(tmp_path: Path) -> None:
+    rollouts = make_rollouts(actions=META_ACTIONS, rollouts=50, steps=40, people=8)
+    path = tmp_path / "large.rrd"
+    write_recording(path, rollouts, judge(rollouts), SETTINGS)
+    numbers = rollouts.robot[..., :2].size + rollouts.pedestrians.size
+    assert path.stat().st_size <= 1.2 * 4 * numbers
+
+
+def test_a_file_that_cannot_be_written_is_reported_in_one_line(
+    rollouts: Rollouts, tmp_path: Path
+) -> None:
+    path = tmp_path / "missing" / "test.rrd"
+    with pytest.raises(RunError, match="cannot be written") as caught:
+        write_recording(path, rollouts, judge(rollouts), {})
+    assert "\n" not in str(caught.value)
+
+
+def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
+    rollouts: Rollouts, tmp_path: Path
+) -> None:
+    rr.set_strict_mode(False)
+    settings: Any = {"unloggable": object()}
+    with pytest.raises(ValueError, match="arrow"):
+        write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts), settings)
+
+
+def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
+    first = judge(rollouts)[0]
+    own = Judgement("my aunt", first.parameters, first.values, first.best)
+    write_recording(tmp_path / "test.rrd", rollouts, (own,), {})
+    assert "my aunt" in read(tmp_path / "test.rrd")["/judgements"]
+
+
+@pytest.mark.parametrize("values", [[0.0, 1.0], [-3.2, 4.0], [1.0 + 1e-12, 0.5]])
+def test_bins_hold_every_outcome(values: list[float]) -> None:
+    edges = bin_edges("progress", np.array(values))
+    counts, _ = np.histogram(values, edges)
+    assert counts.sum() == len(values)
+    np.testing.assert_allclose(np.diff(edges), 0.05)
+    assert math.isclose(edges[np.abs(edges).argmin()], 0.0, abs_tol=1e-9)
