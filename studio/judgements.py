@@ -30,7 +30,8 @@ class Judgement:
 
 def utilities(rollouts: Rollouts) -> FloatArray:
     """Utility θ*·φ of every outcome, [A, K]."""
-    return rollouts.features @ np.array(REWARD)
+    outcome_utilities: FloatArray = rollouts.features @ np.array(REWARD)
+    return outcome_utilities
 
 
 def judge(rollouts: Rollouts) -> tuple[Judgement, ...]:
