@@ -67,6 +67,11 @@ def action_colour(index: int) -> Colour:
     return ACTION_COLOURS[index % len(ACTION_COLOURS)]
 
 
+def teacher_colour(name: str) -> Colour:
+    """The teacher's colour; that of text for one who has none."""
+    return TEACHER_COLOURS.get(name, LIGHT.ink)
+
+
 def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
     """The colour as it looks through at this opacity (0 to 1) on the ground."""
     red, green, blue = (
@@ -74,3 +79,19 @@ def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
         for over, under in zip(colour, ground, strict=True)
     )
     return red, green, blue
+
+
+def legible(colour: Colour) -> Colour:
+    """The colour darkened just so far that small type in it can be read on white (4.5 to 1)."""
+    while _luminance(colour) > 0.183:
+        colour = blend(colour, (0, 0, 0), 0.95)
+    return colour
+
+
+def _luminance(colour: Colour) -> float:
+    """Relative luminance (WCAG 2), 0 to 1."""
+    red, green, blue = (
+        share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
+        for share in (channel / 255.0 for channel in colour)
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue

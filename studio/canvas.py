@@ -1,0 +1,483 @@
+"""The drawing basics: boxes, type, and a canvas with subpixel lines, discs and measured text.
+
+Every size is written in units of a page 1600 wide and 900 high and scaled to the canvas at hand,
+so that a drawing looks the same at 640x360 and at 3840x2160. Only type has a floor, below which
+nobody could read it; layouts therefore measure their text instead of assuming how big it is.
+
+Coordinates are pixels, x to the right, y down, and may be fractions: (0, 0) is the top left corner
+of the top left pixel. Pixels are red, green, blue.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import cast
+
+import cv2
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from studio.errors import InputError
+from studio.palette import Colour
+
+FloatArray = NDArray[np.float64]
+PixelArray = NDArray[np.uint8]
+Point = tuple[float, float]
+
+REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
+SMALLEST_WIDTH, SMALLEST_HEIGHT = 640, 360
+LARGEST_SIDE = 8192
+
+REGULAR, SEMIBOLD = 400, 600
+"""Weights of type."""
+
+_SMALLEST_TYPE = 8  # px
+_FONT = "sans"  # the variable-weight face that OpenCV brings along
+_CAPITAL_HEIGHT = 0.70  # of the type size, in that face
+_ASCENT, _DESCENT = 0.78, 0.22  # of the type size, in that face
+_ELLIPSIS = "…"
+_SHIFT = 4  # OpenCV takes coordinates in sixteenths of a pixel
+_FARTHEST = 1e6  # px; beyond it, coordinates would overflow OpenCV's integers
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle on the page, px."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @property
+    def width(self) -> float:
+        """Width, px."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Height, px."""
+        return self.bottom - self.top
+
+    @property
+    def centre(self) -> Point:
+        """The point in the middle."""
+        return (self.left + self.right) / 2, (self.top + self.bottom) / 2
+
+    def inset(self, by: float) -> "Box":
+        """The box with every side moved in (out, if negative) by so many px."""
+        return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
+
+    def contains(self, other: "Box") -> bool:
+        """Whether the other box lies wholly inside."""
+        return (
+            self.left <= other.left
+            and self.top <= other.top
+            and other.right <= self.right
+            and other.bottom <= self.bottom
+        )
+
+    def overlaps(self, other: "Box") -> bool:
+        """Whether the two share more than an edge."""
+        return (
+            self.left < other.right
+            and other.left < self.right
+            and self.top < other.bottom
+            and other.top < self.bottom
+        )
+
+    def columns(self, widths: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
+        """Cut into columns whose widths stand in these proportions, with gaps between (px)."""
+        edges = _cuts(self.left, self.width, widths, gap)
+        return tuple(Box(start, self.top, end, self.bottom) for start, end in edges)
+
+    def rows(self, heights: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
+        """Cut into rows whose heights stand in these proportions, with gaps between (px)."""
+        edges = _cuts(self.top, self.height, heights, gap)
+        return tuple(Box(self.left, start, self.right, end) for start, end in edges)
+
+
+def _cuts(
+    start: float, length: float, shares: Sequence[float], gap: float
+) -> list[tuple[float, float]]:
+    unit = (length - gap * (len(shares) - 1)) / sum(shares)
+    cuts = []
+    for share in shares:
+        cuts.append((start, start + share * unit))
+        start += share * unit + gap
+    return cuts
+
+
+@dataclass(frozen=True)
+class TypeScale:
+    """The four sizes of type on a page, px."""
+
+    small: int
+    body: int
+    heading: int
+    title: int
+
+
+@dataclass(frozen=True)
+class PlacedText:
+    """A piece of text on the page and the box that it takes up."""
+
+    text: str
+    box: Box
+
+
+class Canvas:
+    """A page to draw on.
+
+    Args:
+        width: px, 640 to 8192.
+        height: px, 360 to 8192.
+        ground: colour of the empty page.
+
+    Attributes:
+        pixels: [height, width, 3] uint8, red, green, blue.
+        unit: px per unit of the 1600x900 reference page.
+        type: sizes of type.
+        texts: every text placed so far, in order.
+
+    Raises:
+        InputError: if the size is not allowed.
+    """
+
+    def __init__(self, width: int, height: int, ground: Colour) -> None:
+        if not (
+            SMALLEST_WIDTH <= width <= LARGEST_SIDE and SMALLEST_HEIGHT <= height <= LARGEST_SIDE
+        ):
+            raise InputError(
+                f"size: {width}x{height} pixels is not allowed: at least "
+                f"{SMALLEST_WIDTH}x{SMALLEST_HEIGHT} and at most {LARGEST_SIDE}x{LARGEST_SIDE}"
+            )
+        self.pixels: PixelArray = np.empty((height, width, 3), np.uint8)
+        self.pixels[:] = ground
+        self.unit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
+        self.type = TypeScale(
+            *(max(_SMALLEST_TYPE, round(size * self.unit)) for size in (16, 18, 20, 34))
+        )
+        self.texts: list[PlacedText] = []
+        self._origin = (0.0, 0.0)
+        # A face of its own: OpenCV's faces are not safe to share between threads.
+        self._face = cv2.FontFace(_FONT)
+
+    @property
+    def hair(self) -> int:
+        """Width of the finest line, px."""
+        return max(1, round(self.unit))
+
+    @property
+    def box(self) -> Box:
+        """The whole of what can be drawn on."""
+        (left, top), (height, width) = self._origin, self.pixels.shape[:2]
+        return Box(left, top, left + width, top + height)
+
+    def clipped(self, box: Box) -> "Canvas":
+        """The same page, the same coordinates, but nothing is drawn outside of the box."""
+        left, top = max(round(box.left), 0), max(round(box.top), 0)
+        part = object.__new__(Canvas)
+        part.__dict__.update(self.__dict__)
+        x0, y0 = (round(value) for value in self._origin)
+        part.pixels = self.pixels[
+            top - y0 : round(box.bottom) - y0, left - x0 : round(box.right) - x0
+        ]
+        part._origin = (float(left), float(top))
+        return part
+
+    def copy(self) -> "Canvas":
+        """A page of its own that looks the same."""
+        twin = object.__new__(Canvas)
+        twin.__dict__.update(self.__dict__)
+        twin.pixels = self.pixels.copy()
+        twin.texts = list(self.texts)
+        twin._face = cv2.FontFace(_FONT)
+        return twin
+
+    def restore(self, still: "Canvas", box: Box) -> None:
+        """Make a box look as it does on another page of the same size."""
+        self.clipped(box).pixels[:] = still.clipped(box).pixels
+
+    # Shapes
+
+    def fill(self, box: Box, colour: Colour) -> None:
+        """Fill a rectangle, its edges on whole pixels; it is never thinner than one."""
+        x0, y0 = self._origin
+        left, top = round(box.left - x0), round(box.top - y0)
+        right, bottom = max(round(box.right - x0), left + 1), max(round(box.bottom - y0), top + 1)
+        self.pixels[max(top, 0) : max(bottom, 0), max(left, 0) : max(right, 0)] = colour
+
+    def rounded(self, box: Box, radius: float, colour: Colour) -> None:
+        """Fill a rectangle with round corners."""
+        radius = min(radius, box.width / 2, box.height / 2)
+        core = box.inset(radius)
+        corners = [
+            (core.right, core.bottom, 0.0),
+            (core.left, core.bottom, 90.0),
+            (core.left, core.top, 180.0),
+            (core.right, core.top, 270.0),
+        ]
+        angles = np.radians(np.linspace(0.0, 90.0, 9))
+        outline = [
+            (x + radius * np.cos(start + angles), y + radius * np.sin(start + angles))
+            for x, y, start in ((x, y, np.radians(degrees)) for x, y, degrees in corners)
+        ]
+        self.polygon(np.concatenate([np.stack(arc, axis=-1) for arc in outline]), colour)
+
+    def line(self, points: ArrayLike, colour: Colour, width: float = 1.0) -> None:
+        """Draw through points [N, 2] with a pen of this width in px, at least one pixel."""
+        cv2.polylines(
+            self.pixels, [self._fixed(points)], False, colour, _pen(width), cv2.LINE_AA, _SHIFT
+        )
+
+    def dashed(
+        self, start: Point, end: Point, colour: Colour, width: float = 1.0, dash: float = 6.0
+    ) -> None:
+        """Draw a straight line in dashes as long (px) as the gaps between them."""
+        between = np.subtract(end, start)
+        length = float(np.hypot(*between))
+        for at in np.arange(0.0, length, 2 * dash):
+            shares = np.array([[at], [min(at + dash, length)]]) / length
+            self.line(np.array(start) + shares * between, colour, width)
+
+    def disc(self, centre: Point | FloatArray, radius: float, colour: Colour) -> None:
+        """Draw a filled disc, radius in px."""
+        # not cv2.circle, whose small discs come out as lozenges
+        x, y = centre[0] - self._origin[0], centre[1] - self._origin[1]
+        if not (abs(x) < _FARTHEST and abs(y) < _FARTHEST):
+            return
+        height, width = self.pixels.shape[:2]
+        left, right = max(int(x - radius - 1), 0), min(int(x + radius + 2), width)
+        top, bottom = max(int(y - radius - 1), 0), min(int(y + radius + 2), height)
+        if left < right and top < bottom:
+            shares = disc_coverage(x - left, y - top, radius, right - left, bottom - top)
+            under = self.pixels[top:bottom, left:right]
+            under[:] = under + (np.array(colour, np.float32) - under) * shares[..., None] + 0.5
+
+    def polygon(self, points: ArrayLike, colour: Colour) -> None:
+        """Fill a polygon given by its corners [N, 2]."""
+        cv2.fillPoly(self.pixels, [self._fixed(points)], colour, cv2.LINE_AA, _SHIFT)
+
+    def faint_paths(
+        self, paths: Sequence[FloatArray], colour: Colour, width: float, opacity: float
+    ) -> None:
+        """Draw translucent paths that grow darker where they overlap.
+
+        Where n paths cross, their joint opacity is 1 − (1 − opacity)^n, whatever their order; a
+        path that crosses itself counts once.
+
+        Args:
+            paths: each [N, 2], px.
+            colour: of all of them.
+            width: of the pen, px.
+            opacity: of one path, 0 to 1 (not included).
+        """
+        counts = np.zeros(self.pixels.shape[:2], np.float32)  # in 255ths of a path
+        pen = _pen(width)
+        for path in paths:
+            fixed = self._fixed(path)
+            rows, columns = self._touched(fixed, pen)
+            part = counts[rows, columns]
+            if part.size:
+                mask = np.zeros(part.shape, np.uint8)
+                shift = np.array([columns.start, rows.start]) << _SHIFT
+                cv2.polylines(mask, [fixed - shift], False, 255, pen, cv2.LINE_AA, _SHIFT)
+                cv2.accumulate(mask, part)
+        self._blend(counts, colour, opacity)
+
+    def _touched(self, fixed: NDArray[np.int32], pen: int) -> tuple[slice, slice]:
+        """Rows and columns of the canvas that a path may touch."""
+        height, width = self.pixels.shape[:2]
+        low = (fixed.min(axis=0) >> _SHIFT) - pen - 1
+        high = (fixed.max(axis=0) >> _SHIFT) + pen + 2
+        left, right = np.clip([low[0], high[0]], 0, width)
+        top, bottom = np.clip([low[1], high[1]], 0, height)
+        return slice(int(top), int(bottom)), slice(int(left), int(right))
+
+    def _blend(self, counts: NDArray[np.float32], colour: Colour, opacity: float) -> None:
+        covered_rows = np.flatnonzero(counts.any(axis=1))
+        if len(covered_rows):
+            rows = slice(covered_rows[0], covered_rows[-1] + 1)
+            shares = 1.0 - np.exp(counts[rows] * np.float32(np.log1p(-opacity) / 255.0))
+            self.pixels[rows] = tinted(self.pixels[rows], colour, shares)
+
+    # Text
+
+    def measure(self, text: str, size: int, weight: int = REGULAR) -> float:
+        """Width of the text when it is set in this size (px) and weight, px."""
+        if not text:
+            return 0.0
+        return float(cv2.getTextSize((0, 0), text, (0, 0), self._face, size, weight)[2])
+
+    def fitted(
+        self, candidates: str | Sequence[str], width: float, size: int, weight: int = REGULAR
+    ) -> str:
+        """The first candidate that is no wider than `width`; failing all, the last one cut short.
+
+        Returns:
+            The text, perhaps ending in an ellipsis; empty if not even one letter fits.
+        """
+        options = [candidates] if isinstance(candidates, str) else list(candidates)
+        options = [printable(option) for option in options]
+        for option in options:
+            if self.measure(option, size, weight) <= width:
+                return option
+        for length in range(len(options[-1]) - 1, 0, -1):
+            shorter = options[-1][:length].rstrip(" _·,") + _ELLIPSIS
+            if self.measure(shorter, size, weight) <= width:
+                return shorter
+        return ""
+
+    def text_box(
+        self,
+        at: Point,
+        text: str,
+        size: int,
+        weight: int = REGULAR,
+        anchor: str = "left",
+        line: str = "middle",
+    ) -> Box:
+        """The box that `text` would take up, see there."""
+        width = self.measure(text, size, weight)
+        left = round(at[0] - {"left": 0.0, "centre": 0.5, "right": 1.0}[anchor] * width)
+        below = {"base": 0.0, "middle": _CAPITAL_HEIGHT / 2, "top": _ASCENT, "bottom": -_DESCENT}
+        # lines set by their top or bottom must not reach over it by a rounding
+        to_pixel = {"top": math.ceil, "bottom": math.floor}.get(line, round)
+        baseline = to_pixel(at[1] + below[line] * size)
+        return Box(left, baseline - _ASCENT * size, left + width, baseline + _DESCENT * size)
+
+    def text(
+        self,
+        at: Point,
+        text: str,
+        size: int,
+        colour: Colour,
+        weight: int = REGULAR,
+        anchor: str = "left",
+        line: str = "middle",
+        halo: Colour | None = None,
+    ) -> Box:
+        """Set a line of text.
+
+        Args:
+            at: the point that the text is set by, px.
+            text: what to set.
+            size: of type, px.
+            colour: of the letters.
+            weight: of type, 100 to 1000.
+            anchor: which part of the text lies at x: `left`, `centre` or `right`.
+            line: which part of it lies at y: its baseline (`base`), the middle of its capitals
+                (`middle`), the `top` or the `bottom` of its box.
+            halo: colour of a rim around the letters that keeps them apart from what is below.
+
+        Returns:
+            The box that the text takes up, which is also added to `texts`.
+        """
+        text = printable(text)
+        box = self.text_box(at, text, size, weight, anchor, line)
+        if not text:
+            return box
+        # Centred and right alignment by OpenCV 5 are broken, so the text is measured and set from
+        # the left.
+        x0, y0 = self._origin
+        origin = (round(box.left - x0), round(box.top + _ASCENT * size - y0))
+        if halo is not None:
+            self._rim(origin, text, size, weight, halo)
+        cv2.putText(self.pixels, text, origin, colour, self._face, size, weight)
+        self.texts.append(PlacedText(text, box))
+        return box
+
+    def _rim(self, origin: tuple[int, int], text: str, size: int, weight: int, rim: Colour) -> None:
+        height, width = self.pixels.shape[:2]
+        reach = max(2, round(size * 0.16))
+        left, right = origin[0] - reach, origin[0] + round(self.measure(text, size, weight)) + reach
+        top, bottom = origin[1] - size - reach, origin[1] + round(size * 0.3) + reach
+        left, right = max(left, 0), min(right, width)
+        top, bottom = max(top, 0), min(bottom, height)
+        if left >= right or top >= bottom:
+            return
+        mask = np.zeros((bottom - top, right - left), np.uint8)
+        start = (origin[0] - left, origin[1] - top)
+        cv2.putText(mask, text, start, (255,), self._face, size, weight)
+        brush = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+        shares = (cv2.blur(cv2.dilate(mask, brush), (3, 3)) / 255.0).astype(np.float32)
+        self.pixels[top:bottom, left:right] = tinted(
+            self.pixels[top:bottom, left:right], rim, shares
+        )
+
+    def _fixed(self, points: ArrayLike) -> NDArray[np.int32]:
+        """Points as OpenCV takes them: in sixteenths of a pixel, from the middle of a pixel."""
+        local = np.asarray(points, dtype=np.float64) - np.array(self._origin) - 0.5
+        fixed = np.rint(np.clip(local, -_FARTHEST, _FARTHEST) * 2**_SHIFT)
+        return cast(NDArray[np.int32], fixed.astype(np.int32))
+
+
+@dataclass(frozen=True)
+class View:
+    """A map from metres (y up) to pixels (y down), with the same scale in x and y.
+
+    Attributes:
+        box: where on the page the map lies, px.
+        scale: px per m.
+        centre: what lies in the middle of the box (x, y), m.
+    """
+
+    box: Box
+    scale: float
+    centre: Point
+
+    @classmethod
+    def around(cls, bounds: tuple[float, float, float, float], box: Box) -> "View":
+        """The largest view in the box that shows all of the bounds (x0, y0, x1, y1 in m)."""
+        x0, y0, x1, y1 = bounds
+        scale = min(box.width / (x1 - x0), box.height / (y1 - y0))
+        return cls(box, scale, ((x0 + x1) / 2, (y0 + y1) / 2))
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """What the box shows: x0, y0, x1, y1 in m."""
+        half_width, half_height = (
+            self.box.width / self.scale / 2,
+            self.box.height / self.scale / 2,
+        )
+        x, y = self.centre
+        return x - half_width, y - half_height, x + half_width, y + half_height
+
+    def to_pixels(self, points: ArrayLike) -> FloatArray:
+        """Points in metres [..., 2] as pixels [..., 2]."""
+        away = np.asarray(points, dtype=np.float64)[..., :2] - np.array(self.centre)
+        pixels: FloatArray = np.array(self.box.centre) + away * np.array([self.scale, -self.scale])
+        return pixels
+
+    def within(self, box: Box) -> "View":
+        """The same scale and centre in another box."""
+        return replace(self, box=box)
+
+
+def disc_coverage(
+    x: float, y: float, radius: float, width: int, height: int
+) -> NDArray[np.float32]:
+    """How much of each pixel [height, width] a disc around (x, y) covers, 0 to 1."""
+    across = np.arange(width, dtype=np.float32) + np.float32(0.5 - x)
+    down = np.arange(height, dtype=np.float32) + np.float32(0.5 - y)
+    beyond = np.hypot(down[:, None], across) - np.float32(radius)
+    # twice as fast as np.clip
+    shares: NDArray[np.float32] = np.minimum(np.maximum(np.float32(0.5) - beyond, 0.0), 1.0)
+    return shares
+
+
+def tinted(pixels: PixelArray, colour: Colour, shares: NDArray[np.float32]) -> PixelArray:
+    """Pixels [h, w, 3] with a colour over them, as opaque as the shares [h, w] say."""
+    over = np.empty_like(pixels)
+    over[:] = colour
+    return cast(PixelArray, cv2.blendLinear(over, pixels, shares, 1.0 - shares))
+
+
+def printable(text: str) -> str:
+    """The text with everything that does not show (line breaks, say) turned into a space."""
+    return "".join(letter if letter.isprintable() else " " for letter in text)
+
+
+def _pen(width: float) -> int:
+    return max(1, round(width))

@@ -1,0 +1,263 @@
+"""The film of a scene: every action played in turn, then the picture that sums them up.
+
+Each action's rollouts run at once, as many ghost robots among ghost people; one of them, the same
+for every action, is drawn in full. The people and the robot of one rollout meet the same luck
+under every action, so what differs between two actions is never chance.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from scenes import Rollouts
+from studio.canvas import SEMIBOLD, Box, Canvas, FloatArray, PixelArray, View
+from studio.encode import Progress, Segment, check_film_size, write_mp4
+from studio.film_crowd import Crowd
+from studio.film_side import Side
+from studio.framing import bounds_to_show
+from studio.judgements import Judgement
+from studio.labels import draw_labels
+from studio.palette import CONTACT, LIGHT, Colour, action_colour, legible
+from studio.picture import compose_picture
+from studio.stage import draw_goal, draw_ground, draw_scale_bar, draw_walls, goal_label
+from studio.titles import display_name, subtitles, titles
+
+LONGEST_ACTION = 2.0
+"""Playing one action takes no longer than this, s."""
+
+PAUSE = 0.5
+"""How long the end of an action stands still, s."""
+
+ENDING = 2.5
+"""How long the closing picture is shown, s."""
+
+_SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
+_MARGIN, _GAP = 36, 36
+
+
+def write_film(
+    path: Path,
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    size: tuple[int, int] = (1280, 720),
+    frames_per_second: int = 30,
+    progress: Progress | None = None,
+) -> None:
+    """Write the film of a scene as an MP4 file (H.264).
+
+    The same arguments give the same bytes.
+
+    Args:
+        path: of the file, written exactly there.
+        rollouts: of the scene under each action.
+        judgements: the teachers' values of these actions.
+        size: width and height, px; even.
+        frames_per_second: whole.
+        progress: told after every frame how many of how many are done; called from other threads,
+            by one at a time.
+
+    Raises:
+        InputError: if the size is not allowed.
+        RunError: if the file cannot be written.
+    """
+    check_film_size(size)
+    film = compose_film(rollouts, judgements, size, frames_per_second)
+    write_mp4(path, film, size, frames_per_second, progress)
+
+
+def compose_film(
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    size: tuple[int, int],
+    frames_per_second: int,
+) -> list[Segment]:
+    """The film as segments: one an action, and the closing picture.
+
+    Arguments and errors as for `write_film`.
+    """
+    page = lay_out(rollouts, size)
+    times = frame_times(rollouts.horizon, frames_per_second)
+    segments = []
+    for index in range(len(rollouts.actions)):
+
+        def frames(index: int = index) -> Iterator[PixelArray]:
+            return (canvas.pixels for canvas in play(page, rollouts, index, times))
+
+        segments.append(Segment(len(times), frames))
+    held = round(ENDING * frames_per_second)
+
+    def ending() -> Iterator[PixelArray]:
+        picture = compose_picture(rollouts, judgements, size).pixels
+        return (picture for _ in range(held))
+
+    return [*segments, Segment(held, ending)]
+
+
+def play_speed(horizon: float) -> float:
+    """How many times faster than real time the film runs."""
+    return next(
+        (speed for speed in _SPEEDS if horizon / speed <= LONGEST_ACTION),
+        math.ceil(horizon / LONGEST_ACTION),
+    )
+
+
+def frame_times(horizon: float, frames_per_second: int) -> FloatArray:
+    """The simulated time of each frame of an action, s."""
+    steps = max(1, round(horizon / play_speed(horizon) * frames_per_second))
+    playing = np.linspace(0.0, horizon, steps + 1)
+    return np.concatenate([playing, np.full(round(PAUSE * frames_per_second), horizon)])
+
+
+# The page
+
+
+@dataclass(frozen=True)
+class Page:
+    """What all frames share.
+
+    Attributes:
+        canvas: with everything drawn that never changes.
+        view: of the scene.
+        side: the column beside it.
+        clock: the line below it.
+        strip: one cell an action, at the foot of the page.
+    """
+
+    canvas: Canvas
+    view: View
+    side: Box
+    clock: Box
+    strip: tuple[Box, ...]
+
+
+def lay_out(rollouts: Rollouts, size: tuple[int, int]) -> Page:
+    """Draw what all frames share; arguments and errors as for `write_film`."""
+    canvas = Canvas(*size, LIGHT.ground)
+    kind, unit = canvas.type, canvas.unit
+    page = canvas.box.inset(_MARGIN * unit)
+    title = canvas.fitted(titles(rollouts), page.width, kind.heading, SEMIBOLD)
+    written = canvas.text(
+        (page.left, page.top), title, kind.heading, LIGHT.ink, SEMIBOLD, line="top"
+    )
+    left = written.right + kind.heading
+    subtitle = canvas.fitted(subtitles(rollouts), page.right - left, kind.body)
+    canvas.text((page.right, written.centre[1]), subtitle, kind.body, LIGHT.faint, anchor="right")
+    strip_height, clock_height = 2.9 * kind.body, 1.8 * kind.body
+    top = written.bottom + 14 * unit
+    strip = Box(page.left, page.bottom - strip_height, page.right, page.bottom)
+    body = Box(page.left, top, page.right, strip.top - 14 * unit)
+    scene, side = body.columns((1076, 416), _GAP * unit)
+    panel = Box(scene.left, scene.top, scene.right, scene.bottom - clock_height)
+    view = View.around(bounds_to_show(rollouts), panel)
+    inside = canvas.clipped(panel)
+    draw_ground(inside, view)
+    draw_walls(inside, view, rollouts.scene)
+    goal = draw_goal(inside, view, rollouts.scene.robot.goal)
+    label = goal_label(canvas, goal, (1.0, 0.0))
+    draw_labels(inside, [label], panel.inset(4 * unit), LIGHT.panel)
+    clock = Box(scene.left, panel.bottom, scene.right, scene.bottom)
+    draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
+    count = len(rollouts.actions)
+    return Page(canvas, view, side, clock, strip.columns([1.0] * count, 12 * unit))
+
+
+# One action
+
+
+def play(page: Page, rollouts: Rollouts, index: int, times: FloatArray) -> Iterator[Canvas]:
+    """Draw the frames of one action.
+
+    Args:
+        page: what all frames share.
+        rollouts: of the scene under each action.
+        index: which action.
+        times: the simulated time of each frame, s; equal ones follow one another.
+
+    Yields:
+        One and the same canvas, drawn anew for each frame.
+    """
+    canvas = page.canvas.copy()
+    strip = _Strip(canvas, page.strip, rollouts, index)
+    side = Side(canvas, page.side, rollouts, index)
+    crowd = Crowd(canvas.clipped(page.view.box), page.view, rollouts, index)
+    still = canvas.copy()
+    shown = -1.0
+    for time in times:
+        if time != shown:
+            shown = float(time)
+            # rounded, or the third step of 0.1 s would begin after 0.3 s
+            step = round(shown / rollouts.dt, 6)
+            canvas.texts[:] = still.texts
+            crowd.draw(step)
+            side.draw(still, step)
+            strip.draw(shown / rollouts.horizon)
+            _draw_clock(canvas, still, page.clock, rollouts, shown)
+        yield canvas
+
+
+def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, time: float) -> None:
+    """Write the time, and what it has to do with real time, below the scene."""
+    canvas.restore(still, box)
+    size, count = canvas.type.small, rollouts.robot.shape[1]
+    clock = canvas.text(
+        (box.left, box.centre[1]),
+        f"{time:.1f} s of {rollouts.horizon:g} s",
+        canvas.type.body,
+        LIGHT.ink,
+        SEMIBOLD,
+    )
+    speed = f"{play_speed(rollouts.horizon):g}× real time"
+    left = box.left + 9.5 * canvas.type.body
+    told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
+    red = "red: contact" if (rollouts.contact_step >= 0).any() else ""
+    texts = [
+        " · ".join(part for part in parts if part)
+        for parts in ((speed, told, red), (speed, told), (speed,))
+    ]
+    left = max(left, clock.right + size)
+    text = canvas.fitted(texts, 0.8 * box.width - (left - box.left), size)
+    canvas.text((left, box.centre[1]), text, size, LIGHT.faint)
+
+
+class _Strip:
+    """All actions at the foot of the page: those that were played, the one that is, the rest."""
+
+    def __init__(
+        self, canvas: Canvas, cells: Sequence[Box], rollouts: Rollouts, index: int
+    ) -> None:
+        self._canvas, self._cell, self._colour = canvas, cells[index], action_colour(index)
+        kind, count = canvas.type, rollouts.robot.shape[1]
+        for action, cell in enumerate(cells):
+            colour = action_colour(action)
+            self._draw_bar(cell, LIGHT.grid, 1.0)
+            if action < index:
+                self._draw_bar(cell, colour, 1.0)
+            name = display_name(rollouts.actions[action].name)
+            ink = legible(colour) if action <= index else LIGHT.faint
+            canvas.text(
+                (cell.left, cell.top + 1.2 * kind.body),
+                canvas.fitted(name, cell.width, kind.body, SEMIBOLD),
+                kind.body,
+                ink,
+                SEMIBOLD,
+            )
+            if action < index:
+                touched = int((rollouts.contact_step[action] >= 0).sum())
+                told = [f"{touched} of {count} contact", f"{touched} of {count}", f"{touched}"]
+                canvas.text(
+                    (cell.left, cell.top + 2.4 * kind.body),
+                    canvas.fitted(told, cell.width, kind.small),
+                    kind.small,
+                    CONTACT if touched else LIGHT.faint,
+                )
+
+    def draw(self, share: float) -> None:
+        """Fill the bar of the action that is played up to this share."""
+        self._draw_bar(self._cell, self._colour, share)
+
+    def _draw_bar(self, cell: Box, colour: Colour, share: float) -> None:
+        right = cell.left + share * cell.width
+        self._canvas.fill(Box(cell.left, cell.top, right, cell.top + 4 * self._canvas.unit), colour)

@@ -1,0 +1,146 @@
+"""Where to put labels so that they lie near their things and on nothing else."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from studio.canvas import Box, Canvas, Point
+from studio.palette import Colour
+
+_DIRECTIONS = 24
+_RINGS = (0.0, 0.6, 1.2, 2.0, 3.0, 4.5, 6.5)  # distance from the thing, in heights of the label
+_COST_OF_INK = 30.0  # a label wholly on solid ink is as bad as this many heights of distance
+_COST_OF_TURNING = 0.5  # heights; a label that is not where its thing points to
+_COST_OF_CONFUSION = 8.0  # heights; a label that lies nearer to another thing than to its own
+
+
+@dataclass(frozen=True)
+class Label:
+    """The name of a thing that lies at a point.
+
+    Attributes:
+        text: the name.
+        size: of type, px.
+        weight: of type, 100 to 1000.
+        colour: of the letters.
+        near: the point, px.
+        reach: distance to keep from it, px.
+        direction: where from the point the label would best be (dx, dy), px; of any length.
+    """
+
+    text: str
+    size: int
+    weight: int
+    colour: Colour
+    near: Point
+    reach: float
+    direction: Point
+
+
+def draw_labels(canvas: Canvas, labels: Sequence[Label], area: Box, ground: Colour) -> None:
+    """Write labels where there is room, with a line to things that are farther away.
+
+    Args:
+        canvas: what is drawn already.
+        labels: the more important ones first; what finds no room is left out.
+        area: where they may lie, px.
+        ground: colour of the empty area.
+    """
+    places = place(labels, canvas, area, ground)
+    for label, box in zip(labels, places, strict=True):
+        if box is None:
+            continue
+        if distance(box, label.near) > label.reach + box.height:
+            x, y = label.near
+            end = min(max(x, box.left), box.right), min(max(y, box.top), box.bottom)
+            canvas.line([label.near, end], label.colour, canvas.hair)
+        canvas.text(
+            box.centre,
+            label.text,
+            label.size,
+            label.colour,
+            label.weight,
+            anchor="centre",
+            halo=ground,
+        )
+
+
+def place(labels: Sequence[Label], canvas: Canvas, area: Box, ground: Colour) -> list[Box | None]:
+    """Choose a place for each label, the first ones choosing first.
+
+    A place costs its distance from the thing and the ink that it covers; it never overlaps
+    another label nor leaves the area.
+
+    Arguments as for `draw_labels`.
+
+    Returns:
+        A box for each label, or None where there is no room.
+    """
+    ink = _Ink(canvas.clipped(area), ground)
+    places: list[Box | None] = []
+    for label in labels:
+        width = canvas.measure(label.text, label.size, label.weight) + 0.2 * label.size
+        taken = [box for box in places if box is not None]
+        candidates = [
+            (
+                cost
+                + _COST_OF_INK * ink.share(box)
+                + _COST_OF_CONFUSION * _is_nearer_to_another(box, label, labels),
+                order,
+                box,
+            )
+            for order, (cost, box) in enumerate(_candidates(label, width, 1.15 * label.size))
+            if area.contains(box) and not any(box.overlaps(other) for other in taken)
+        ]
+        places.append(min(candidates)[2] if candidates else None)
+    return places
+
+
+def distance(box: Box, point: Point) -> float:
+    """Distance from a point to the nearest point of a box, px; 0 inside."""
+    across = max(box.left - point[0], point[0] - box.right, 0.0)
+    down = max(box.top - point[1], point[1] - box.bottom, 0.0)
+    return math.hypot(across, down)
+
+
+def _candidates(label: Label, width: float, height: float) -> list[tuple[float, Box]]:
+    """Boxes around the thing and what they cost for lying where they lie."""
+    preferred = math.atan2(label.direction[1], label.direction[0])
+    found = []
+    for ring in _RINGS:
+        for turn in np.linspace(0.0, math.tau, _DIRECTIONS, endpoint=False).tolist():
+            # the box touches an oval around the thing from outside
+            away = label.reach + ring * height
+            x = label.near[0] + math.cos(preferred + turn) * (away + width / 2)
+            y = label.near[1] + math.sin(preferred + turn) * (away + height / 2)
+            box = Box(x - width / 2, y - height / 2, x + width / 2, y + height / 2)
+            found.append((ring + _COST_OF_TURNING * (1 - math.cos(turn)), box))
+    return found
+
+
+def _is_nearer_to_another(box: Box, label: Label, labels: Sequence[Label]) -> bool:
+    own = distance(box, label.near)
+    return any(distance(box, other.near) < own for other in labels if other is not label)
+
+
+class _Ink:
+    """How much is drawn in any box, quick to ask."""
+
+    def __init__(self, canvas: Canvas, ground: Colour) -> None:
+        away = np.abs(canvas.pixels.astype(np.int16) - np.array(ground, np.int16)).max(axis=-1)
+        self._sums: NDArray[np.int64] = np.zeros(np.add(away.shape, 1), np.int64)
+        self._sums[1:, 1:] = away.cumsum(axis=0, dtype=np.int64).cumsum(axis=1)
+        self._left, self._top = canvas.box.left, canvas.box.top
+
+    def share(self, box: Box) -> float:
+        """Mean darkness of the box, 0 (empty) to 1."""
+        bottom_most, right_most = (side - 1 for side in self._sums.shape)
+        x0, x1 = np.clip(np.rint([box.left, box.right]) - self._left, 0, right_most).astype(int)
+        y0, y1 = np.clip(np.rint([box.top, box.bottom]) - self._top, 0, bottom_most).astype(int)
+        total = int(
+            self._sums[y1, x1] - self._sums[y0, x1] - self._sums[y1, x0] + self._sums[y0, x0]
+        )
+        return total / (255.0 * max(1, int((x1 - x0) * (y1 - y0))))

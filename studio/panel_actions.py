@@ -1,0 +1,228 @@
+"""The picture's table of actions: one row each, with contacts, distributions and values."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from learners import REWARD
+from scenes import FEATURES, Rollouts
+from studio.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.judgements import Judgement
+from studio.naming import teacher_name
+from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible, teacher_colour
+from studio.plots import (
+    Axis,
+    draw_histogram,
+    draw_icons,
+    draw_ticks,
+    round_range,
+    signed,
+    ticks,
+)
+from studio.titles import display_name
+
+_BINS = 24
+_NOTES = ["black dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
+
+
+@dataclass(frozen=True)
+class _Measure:
+    """One feature as a column of the table shows it.
+
+    Attributes:
+        title: name of the feature.
+        unit: of the values; empty if they have none.
+        values: [A, K].
+        low: left end of the axis.
+        high: right end of the axis.
+        edges: edges of the histogram's bins.
+        ticks: values to write under the axis.
+        worth: the reward for one unit of the scaled feature.
+    """
+
+    title: str
+    unit: str
+    values: FloatArray
+    low: float
+    high: float
+    edges: FloatArray
+    ticks: list[float]
+    worth: float
+
+
+def _measures(rollouts: Rollouts) -> list[_Measure]:
+    physical = {
+        "clearance": ("m", rollouts.clearance_m),
+        "deviation": ("m", rollouts.deviation_m),
+        "progress": ("m", rollouts.progress_m),
+    }
+    measures = []
+    for index, (feature, worth) in enumerate(zip(FEATURES, REWARD, strict=True)):
+        unit, values = physical.get(feature, ("", rollouts.features[..., index]))
+        if feature == "collisions":
+            most = max(2, round(float(values.max())))
+            # bars as slim as a third of a bin, around the whole numbers
+            edges = np.arange(-0.5, most + 0.51, 1 / 3)
+            marks = [mark for mark in ticks(0.0, most, 4) if mark.is_integer()]
+        else:
+            low, high = float(values.min()), float(values.max())
+            if feature in ("clearance", "deviation"):
+                low, high = 0.0, max(high, 0.1)
+            elif feature == "smoothness":
+                low, high = min(low, 0.9), 1.0
+            low, high = round_range(low, high)
+            edges = np.linspace(low, high, _BINS + 1)
+            marks = ticks(low, high, 3)
+        measures.append(
+            _Measure(feature, unit, values, float(edges[0]), float(edges[-1]), edges, marks, worth)
+        )
+    return measures
+
+
+@dataclass(frozen=True)
+class ActionTable:
+    """Where the table of actions lies.
+
+    Attributes:
+        box: the whole of it.
+        header: height of its header, px.
+        row: height of a row, px.
+        footer: height of the line of ticks under the rows, px.
+        shown: how many actions there is room for.
+    """
+
+    box: Box
+    header: float
+    row: float
+    footer: float
+    shown: int
+
+    @classmethod
+    def fit(cls, canvas: Canvas, space: Box, rollouts: Rollouts) -> "ActionTable":
+        """Lay the table out at the bottom of the space, above which the scene needs room too."""
+        kind, unit, count = canvas.type, canvas.unit, len(rollouts.actions)
+        header, footer = 1.35 * kind.heading + 1.35 * kind.small, 1.7 * kind.small
+        most = 0.52 * space.height - header - footer
+        lowest, highest = 1.3 * kind.body, 36 * unit
+        row = min(max(most / count, lowest), highest)
+        shown = min(count, int(most / row + 1e-9))
+        # the last line then says how many are left out
+        shown = shown if shown == count else shown - 1
+        lines = shown if shown == count else shown + 1
+        top = space.bottom - header - lines * row - footer
+        return cls(Box(space.left, top, space.right, space.bottom), header, row, footer, shown)
+
+    def draw(self, canvas: Canvas, rollouts: Rollouts, judgements: Sequence[Judgement]) -> None:
+        """Draw header, rows and ticks."""
+        widths = (154, 162, *[140] * len(FEATURES), *[94] * len(judgements))
+        columns = self.box.columns(widths, 24 * canvas.unit)
+        name, contact, cells = columns[0], columns[1], columns[2:]
+        measures = _measures(rollouts)
+        self._draw_lines(canvas, len(rollouts.actions), contact.right - name.left)
+        note = canvas.fitted(_NOTES, contact.right - name.left, canvas.type.small)
+        at = (name.left, self.box.bottom - self.footer + 8 * canvas.unit)
+        canvas.text(at, note, canvas.type.small, LIGHT.faint, line="top")
+        self._draw_names(canvas, name, rollouts)
+        self._draw_contacts(canvas, contact, rollouts)
+        for measure, column in zip(measures, cells, strict=False):
+            self._draw_measure(canvas, column, measure, rollouts)
+        for judgement, column in zip(judgements, cells[len(measures) :], strict=True):
+            self._draw_judgement(canvas, column, judgement)
+
+    def _rows(self, column: Box) -> list[Box]:
+        """The cells of one column."""
+        top = column.top + self.header
+        return [
+            Box(column.left, top + index * self.row, column.right, top + (index + 1) * self.row)
+            for index in range(self.shown)
+        ]
+
+    def _draw_lines(self, canvas: Canvas, count: int, room: float) -> None:
+        for row in self._rows(self.box):
+            canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), LIGHT.grid)
+        if self.shown < count:
+            top = self.box.top + self.header + self.shown * self.row
+            small, left_out = canvas.type.small, f"and {count - self.shown} more actions"
+            text = canvas.fitted([f"{left_out} that there is no room for", left_out], room, small)
+            canvas.text((self.box.left, top + self.row / 2), text, small, LIGHT.faint)
+
+    def _head(self, canvas: Canvas, column: Box, title: str, below: str, colour: Colour) -> None:
+        kind = canvas.type
+        text = canvas.fitted(title, column.width, kind.heading, SEMIBOLD)
+        box = canvas.text(
+            (column.left, column.top), text, kind.heading, colour, SEMIBOLD, line="top"
+        )
+        canvas.text(
+            (column.left, box.bottom + 1),
+            canvas.fitted(below, column.width, kind.small),
+            kind.small,
+            LIGHT.faint,
+            line="top",
+        )
+
+    def _draw_names(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
+        unit, size = canvas.unit, canvas.type.body
+        self._head(canvas, column, "Action", "", LIGHT.ink)
+        for index, row in enumerate(self._rows(column)):
+            middle = row.centre[1]
+            canvas.disc((row.left + 6 * unit, middle), 6 * unit, action_colour(index))
+            left = row.left + 20 * unit
+            name = display_name(rollouts.actions[index].name)
+            text = canvas.fitted(name, row.right - left, size, SEMIBOLD)
+            canvas.text((left, middle), text, size, legible(action_colour(index)), SEMIBOLD)
+
+    def _draw_contacts(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
+        unit, size, count = canvas.unit, canvas.type.body, rollouts.contact_step.shape[1]
+        self._head(canvas, column, "Contact", "one dot a rollout", LIGHT.ink)
+        room = canvas.measure(f"{count} of {count}", size, SEMIBOLD)
+        for index, row in enumerate(self._rows(column)):
+            touched = int((rollouts.contact_step[index] >= 0).sum())
+            height = min(0.84 * row.height, 32 * unit)
+            icons = Box(
+                row.left,
+                row.centre[1] - height / 2,
+                row.right - room - 8 * unit,
+                row.centre[1] + height / 2,
+            )
+            faint = blend(action_colour(index), LIGHT.ground, 0.45)
+            drawn = draw_icons(canvas, icons, touched, count, faint)
+            canvas.text(
+                (drawn.right + 8 * unit, row.centre[1]),
+                f"{touched} of {count}",
+                size,
+                CONTACT if touched else LIGHT.faint,
+                SEMIBOLD if touched else 400,
+            )
+
+    def _draw_measure(
+        self, canvas: Canvas, column: Box, measure: _Measure, rollouts: Rollouts
+    ) -> None:
+        unit = canvas.unit
+        title = measure.title.capitalize() + (f", {measure.unit}" if measure.unit else "")
+        self._head(canvas, column, title, f"reward {signed(measure.worth)}", LIGHT.ink)
+        axis = Axis(measure.low, measure.high, column.left, column.right)
+        rows = self._rows(column)
+        for index, row in enumerate(rows):
+            plot = Box(row.left, row.top + 0.14 * row.height, row.right, row.bottom - 1)
+            values = measure.values[index]
+            touched = rollouts.contact_step[index] >= 0
+            colour = action_colour(index)
+            draw_histogram(canvas, plot, axis, values, measure.edges, colour, touched)
+        draw_ticks(canvas, axis, rows[-1].bottom + 8 * unit, measure.ticks)
+
+    def _draw_judgement(self, canvas: Canvas, column: Box, judgement: Judgement) -> None:
+        unit, size = canvas.unit, canvas.type.body
+        colour = teacher_colour(judgement.teacher)
+        self._head(canvas, column, f"V {teacher_name(judgement.teacher)}", "filled: pick", colour)
+        width = canvas.measure("−0.000", size, SEMIBOLD) + 12 * unit
+        for index, row in enumerate(self._rows(column)):
+            given, middle = float(judgement.values[index]), row.centre[1]
+            text, right = f"{given:.3f}".replace("-", "−"), row.left + width - 6 * unit
+            if index == judgement.best:
+                half = min(0.75 * size, row.height / 2 - canvas.hair)
+                pill = Box(row.left, middle - half, row.left + width, middle + half)
+                canvas.rounded(pill, 5 * unit, colour)
+                canvas.text((right, middle), text, size, LIGHT.ground, SEMIBOLD, anchor="right")
+            else:
+                canvas.text((right, middle), text, size, LIGHT.ink, anchor="right")

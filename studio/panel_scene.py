@@ -1,0 +1,137 @@
+"""The picture's view of the scene: every path of every action, named where it ends."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenes import Rollouts
+from scenes.scene import ROBOT_RADIUS
+from studio.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
+from studio.framing import bounds_to_show
+from studio.judgements import Judgement
+from studio.labels import Label, draw_labels
+from studio.palette import CONTACT, LIGHT, action_colour, legible
+from studio.stage import (
+    PEOPLE_PATH,
+    draw_goal,
+    draw_ground,
+    draw_groups,
+    draw_people,
+    draw_robot,
+    draw_scale_bar,
+    draw_walls,
+    goal_label,
+    overlap_opacity,
+)
+from studio.titles import display_name
+
+_MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
+
+
+def draw_scene(
+    canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
+) -> None:
+    """Draw the scene and a caption below it.
+
+    Args:
+        canvas: to draw on.
+        box: where, px.
+        rollouts: of the scene under each action.
+        judgements: the teachers' picks are named even where not every action can be.
+    """
+    scene, unit = rollouts.scene, canvas.unit
+    caption_height = 1.5 * canvas.type.small
+    panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
+    view = View.around(bounds_to_show(rollouts), panel)
+    inside = canvas.clipped(panel)
+    count = rollouts.robot.shape[1]
+    opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
+
+    draw_ground(inside, view)
+    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
+    inside.faint_paths(list(view.to_pixels(people)), PEOPLE_PATH, pen, 0.6 * opacity)
+    for index, paths in enumerate(rollouts.robot):
+        inside.faint_paths(list(view.to_pixels(paths)), action_colour(index), pen, opacity)
+    draw_walls(inside, view, scene)
+    draw_groups(inside, view, scene, scene.starts)
+    draw_people(inside, view, scene.starts)
+    _draw_contacts(inside, view, rollouts)
+    medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
+    for index, median in enumerate(medians):
+        inside.line(median, LIGHT.panel, 6 * unit)
+        inside.line(median, action_colour(index), 3 * unit)
+    for index, median in enumerate(medians):
+        inside.disc(median[-1], 7 * unit, LIGHT.ground)
+        inside.disc(median[-1], 5 * unit, action_colour(index))
+    goal = draw_goal(inside, view, scene.robot.goal)
+    start = np.array([*scene.robot.start, scene.robot.start_heading])
+    draw_robot(inside, view, start, LIGHT.ink)
+    picks = {judgement.best for judgement in judgements}
+    named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
+    labels = _scene_labels(inside, view, rollouts, medians, goal, named)
+    draw_labels(inside, labels, panel.inset(4 * unit), LIGHT.panel)
+    small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
+    end = draw_scale_bar(canvas, view, box.right, baseline) - small
+    caption = canvas.fitted(_captions(rollouts), end - box.left, small)
+    canvas.text((box.left, baseline), caption, small, LIGHT.faint, line="base")
+
+
+def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+    """Mark where the robot first touches something."""
+    for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
+        touching = np.flatnonzero(steps >= 0)
+        for centre in view.to_pixels(paths[touching, steps[touching]]):
+            canvas.disc(centre, 3.6 * canvas.unit, LIGHT.ground)
+            canvas.disc(centre, 2.8 * canvas.unit, CONTACT)
+
+
+def _scene_labels(
+    canvas: Canvas,
+    view: View,
+    rollouts: Rollouts,
+    medians: FloatArray,
+    goal: Point,
+    named: set[int],
+) -> list[Label]:
+    """Names of the robot, its goal and the named actions, the actions at their medians' ends."""
+    unit, body, small = canvas.unit, canvas.type.body, canvas.type.small
+    labels = []
+    for index in sorted(named):
+        path = medians[index]
+        name = display_name(rollouts.actions[index].name)
+        dx, dy = path[-1] - path[-min(6, len(path))]
+        labels.append(
+            Label(
+                canvas.fitted(name, view.box.width / 5, body, SEMIBOLD),
+                body,
+                SEMIBOLD,
+                legible(action_colour(index)),
+                near=(float(path[-1, 0]), float(path[-1, 1])),
+                reach=9 * unit,
+                # below where the robot hardly moves
+                direction=(dx, dy) if math.hypot(dx, dy) > 2 * unit else (0.0, 1.0),
+            )
+        )
+    heading = rollouts.scene.robot.start_heading
+    x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
+    behind = -math.cos(heading), math.sin(heading)
+    reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
+    labels.append(Label("robot", small, REGULAR, LIGHT.ink, (x, y), reach, behind))
+    return [*labels, goal_label(canvas, goal, (goal[0] - x, goal[1] - y))]
+
+
+def _captions(rollouts: Rollouts) -> list[str]:
+    """What the marks in the scene mean, the longest wording first."""
+    paths = "Thin: every rollout · bold: median"
+    people = "grey: people and their paths without the robot"
+    groups = ["joined: groups"] if rollouts.scene.groups else []
+    contact = ["red: first contact"] if (rollouts.contact_step >= 0).any() else []
+    return [
+        " · ".join(parts)
+        for parts in (
+            [paths, people, *groups, *contact],
+            [paths, "grey: people", *groups, *contact],
+            [paths, *contact],
+        )
+    ]

@@ -1,0 +1,104 @@
+"""One still picture of a scene: what every action may lead to, and what the teachers think of it.
+
+Above, the scene with every rollout's path, and how the teachers weigh probabilities and value
+outcomes. Below, one row an action: contacts, how the five features are distributed, and its value
+to each teacher.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import cv2
+
+from scenes import Rollouts
+from studio.canvas import SEMIBOLD, Box, Canvas, PixelArray
+from studio.errors import RunError
+from studio.framing import bounds_to_show
+from studio.judgements import Judgement
+from studio.palette import LIGHT
+from studio.panel_actions import ActionTable
+from studio.panel_scene import draw_scene
+from studio.panel_teachers import draw_teachers
+from studio.titles import subtitles, titles
+
+_MARGIN, _GAP = 36, 36  # of the page and between its blocks, in units of the reference page
+
+
+def draw_picture(
+    rollouts: Rollouts, judgements: Sequence[Judgement], size: tuple[int, int] = (1600, 900)
+) -> PixelArray:
+    """Draw the picture of a scene.
+
+    Args:
+        rollouts: of the scene under each action.
+        judgements: the teachers' values of these actions.
+        size: width and height, px.
+
+    Returns:
+        [height, width, 3], red, green, blue.
+
+    Raises:
+        InputError: if the size is not allowed.
+    """
+    return compose_picture(rollouts, judgements, size).pixels
+
+
+def write_png(
+    path: Path,
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    size: tuple[int, int] = (1600, 900),
+) -> None:
+    """Write the picture of a scene as a PNG file; see `draw_picture`.
+
+    Raises:
+        InputError: if the size is not allowed.
+        RunError: if the file cannot be written.
+    """
+    pixels = draw_picture(rollouts, judgements, size)
+    _, encoded = cv2.imencode(".png", cv2.cvtColor(pixels, cv2.COLOR_RGB2BGR))
+    try:
+        path.write_bytes(encoded.tobytes())
+    except OSError as error:
+        raise RunError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def compose_picture(
+    rollouts: Rollouts, judgements: Sequence[Judgement], size: tuple[int, int] = (1600, 900)
+) -> Canvas:
+    """Draw the picture of a scene and keep the canvas, which knows where its texts are.
+
+    Arguments and errors as for `draw_picture`.
+    """
+    canvas = Canvas(*size, LIGHT.ground)
+    unit, page = canvas.unit, canvas.box.inset(_MARGIN * canvas.unit)
+    body_top = _draw_title(canvas, page, rollouts) + 16 * unit
+    table = ActionTable.fit(canvas, Box(page.left, body_top, page.right, page.bottom), rollouts)
+    upper = Box(page.left, body_top, page.right, table.box.top - 26 * unit)
+    scene, teachers = upper.columns(_widths(rollouts, upper), _GAP * unit)
+    draw_scene(canvas, scene, rollouts, judgements)
+    draw_teachers(canvas, teachers, rollouts, judgements)
+    table.draw(canvas, rollouts, judgements)
+    return canvas
+
+
+def _widths(rollouts: Rollouts, upper: Box) -> tuple[float, float]:
+    """Shares of the width for the scene and the teachers: a long scene gets more."""
+    x0, y0, x1, y1 = bounds_to_show(rollouts)
+    share = (x1 - x0) / (y1 - y0) * upper.height / upper.width
+    share = min(max(share, 0.5), 0.67)
+    return share, 1.0 - share
+
+
+def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
+    """Write what the page is about along its top.
+
+    Returns:
+        Where the title ends, px from the top.
+    """
+    kind = canvas.type
+    title = canvas.fitted(titles(rollouts), page.width, kind.title, SEMIBOLD)
+    box = canvas.text((page.left, page.top), title, kind.title, LIGHT.ink, SEMIBOLD, line="top")
+    subtitle = canvas.fitted(subtitles(rollouts), page.width, kind.body)
+    at = (page.left, box.bottom + 4 * canvas.unit)
+    return canvas.text(at, subtitle, kind.body, LIGHT.faint, line="top").bottom

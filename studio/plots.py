@@ -1,0 +1,164 @@
+"""Small plots: axes, histograms, icon arrays and dots, drawn into a box."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from studio.canvas import Box, Canvas, FloatArray
+from studio.palette import CONTACT, LIGHT, Colour
+
+BoolArray = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A linear axis from one value to another over a stretch of the page.
+
+    Attributes:
+        low: value at `start`.
+        high: value at `end`.
+        start: px.
+        end: px.
+    """
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def at(self, value: float) -> float:
+        """Where a value lies, px; values off the axis lie at its end."""
+        share = (value - self.low) / (self.high - self.low)
+        return self.start + min(max(share, 0.0), 1.0) * (self.end - self.start)
+
+    def along(self, values: FloatArray) -> FloatArray:
+        """Where values lie, px; values off the axis lie at its end."""
+        shares = np.clip((values - self.low) / (self.high - self.low), 0.0, 1.0)
+        pixels: FloatArray = self.start + shares * (self.end - self.start)
+        return pixels
+
+
+def ticks(low: float, high: float, most: int = 4) -> list[float]:
+    """Round values from `low` to `high`, both included, at most `most` + 1 of them."""
+    rough = (high - low) / most
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(digit * power for digit in (1, 2, 2.5, 5, 10) if digit * power >= rough * 0.999)
+    first, last = math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6)
+    # + 0.0 turns a −0 into a 0
+    return [round(index * step, 12) + 0.0 for index in range(first, last + 1)]
+
+
+def round_range(low: float, high: float) -> tuple[float, float]:
+    """The smallest range with round ends around both values; never empty."""
+    if high - low < 1e-9:
+        low, high = low - 0.5, high + 0.5
+    power = 10.0 ** math.floor(math.log10(high - low))
+    steps = (power / 10, power / 5, power / 4, power / 2, power)
+    step = next(step for step in steps if high - low <= 12 * step)
+    return math.floor(low / step + 1e-6) * step, math.ceil(high / step - 1e-6) * step
+
+
+def number(value: float) -> str:
+    """A tick's label: as short as it is exact, with a true minus sign."""
+    return f"{value:g}".replace("-", "−")
+
+
+def signed(value: float) -> str:
+    """A number with two decimals and its sign."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
+def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) -> None:
+    """Write the values under a horizontal axis, leaving out those that would touch.
+
+    The outermost labels are pushed inwards to stay between the ends of the axis.
+    """
+    size, gap = canvas.type.small, 5 * canvas.unit
+    right_of_last = -math.inf
+    for value in values:
+        text = number(value)
+        half = canvas.measure(text, size) / 2
+        centre = min(max(axis.at(value), axis.start + half), axis.end - half)
+        if centre - half >= right_of_last + gap:
+            box = canvas.text((centre, top), text, size, LIGHT.faint, anchor="centre", line="top")
+            right_of_last = box.right
+
+
+def draw_histogram(
+    canvas: Canvas,
+    box: Box,
+    axis: Axis,
+    values: FloatArray,
+    edges: FloatArray,
+    colour: Colour,
+    contact: BoolArray,
+) -> None:
+    """Draw a histogram, scaled to its own peak, with the rollouts in contact red at the bottom.
+
+    A dot marks the mean.
+
+    A bin that holds anything is at least a sliver high: rare outcomes are what matters here.
+
+    Args:
+        canvas: to draw on.
+        box: height of the plot, px.
+        axis: where values lie.
+        values: [K]; those off the axis count in its first or last bin.
+        edges: [B + 1] edges of the bins.
+        colour: of the bars.
+        contact: [K], which rollouts touched something.
+    """
+    inside = np.clip(values, edges[0], edges[-1])
+    counts, _ = np.histogram(inside, edges)
+    touched, _ = np.histogram(inside[contact], edges)
+    sliver, gap = max(2.0, 2 * canvas.unit), max(1.0, canvas.unit)
+    pixels = np.rint(axis.along(edges))
+    for left, right, count, red in zip(pixels, pixels[1:], counts, touched, strict=False):
+        if not count:
+            continue
+        height = max(box.height * count / counts.max(), sliver)
+        red_height = max(height * red / count, sliver) if red else 0.0
+        bar = Box(left, box.bottom - height, max(right - gap, left + 1), box.bottom)
+        canvas.fill(bar, colour)
+        if red:
+            canvas.fill(Box(bar.left, box.bottom - red_height, bar.right, box.bottom), CONTACT)
+    mean = (axis.at(float(inside.mean())), box.bottom)
+    canvas.disc(mean, 4.5 * canvas.unit, LIGHT.ground)
+    canvas.disc(mean, 3.2 * canvas.unit, LIGHT.ink)
+
+
+def icon_columns(count: int, rows: int = 5) -> int:
+    """How many columns an icon array of so many icons in so many rows has."""
+    return math.ceil(count / rows)
+
+
+def draw_icons(
+    canvas: Canvas, box: Box, touched: int, count: int, colour: Colour, rows: int = 5
+) -> Box:
+    """Draw an icon array: one dot a rollout, those that touched something first and red.
+
+    Where dots would be too small to tell apart, a bar of the same proportion stands for them.
+
+    Returns:
+        The box that it takes up, at the left of the given one.
+    """
+    columns = icon_columns(count, rows)
+    pitch = min(box.width / columns, box.height / rows)
+    if pitch < 3.0:
+        bar = Box(
+            box.left, box.centre[1] - 4 * canvas.unit, box.right, box.centre[1] + 4 * canvas.unit
+        )
+        canvas.fill(bar, colour)
+        if touched:
+            share = max(bar.width * touched / count, 1.0)
+            canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), CONTACT)
+        return bar
+    top = box.centre[1] - rows * pitch / 2
+    for index in range(count):
+        column, row = divmod(index, rows)
+        centre = (box.left + (column + 0.5) * pitch, top + (row + 0.5) * pitch)
+        canvas.disc(centre, 0.38 * pitch, CONTACT if index < touched else colour)
+    return Box(box.left, top, box.left + columns * pitch, top + rows * pitch)

@@ -1,0 +1,35 @@
+"""What pictures and films say about themselves in words."""
+
+from scenes import Rollouts
+
+
+def display_name(name: str) -> str:
+    """An action's name as people write it."""
+    return name.replace("_", " ")
+
+
+def titles(rollouts: Rollouts) -> list[str]:
+    """What the scene is called, the longest wording first."""
+    scene = rollouts.scene
+    return [f"{scene.name} · {scene.family}/{scene.pattern}", scene.name]
+
+
+def subtitles(rollouts: Rollouts) -> list[str]:
+    """What was simulated in one line, the longest wording first."""
+    actions, count, steps, _ = rollouts.robot.shape
+    people, groups = len(rollouts.scene.pedestrians), len(rollouts.scene.groups)
+    crowd = _plural(people, "pedestrian") + (f" in {_plural(groups, 'group')}" if groups else "")
+    if groups and sum(map(len, rollouts.scene.groups)) < people:
+        crowd = f"{_plural(people, 'pedestrian')}, {_plural(groups, 'group')}"
+    horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
+    sizes = f"{_plural(actions, 'action')} × {_plural(count, 'rollout')}"
+    return [
+        f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · "
+        f"seed {rollouts.seed}",
+        f"{sizes} · {crowd} · {horizon} · {rollouts.model} · seed {rollouts.seed}",
+        f"{sizes} · {horizon} · {rollouts.model} · seed {rollouts.seed}",
+    ]
+
+
+def _plural(count: int, word: str) -> str:
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"
