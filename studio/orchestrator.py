@@ -138,15 +138,15 @@ class Studio:
 
     def _write(self, part: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
         if part.suffix == ".rrd":
-            from studio.recording import write_recording
+            from studio.recorder.recording import write_recording
 
             write_recording(part, rollouts, judgements, {})
         elif part.suffix == ".png":
-            from studio.picture import write_png
+            from studio.painter.picture import write_png
 
             write_png(part, rollouts, judgements)
         else:
-            from studio.film import write_film
+            from studio.painter.film import write_film
 
             with self.progress.steps("film") as done:
                 write_film(part, rollouts, judgements, progress=done)

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from studio.canvas import Box, Canvas, View, disc_coverage
 from studio.errors import InputError
-from studio.labels import Label, distance, place
+from studio.painter.canvas import Box, Canvas, View, disc_coverage
+from studio.painter.labels import Label, distance, place
+from studio.painter.plots import Axis, draw_icons, number, round_range, ticks
 from studio.palette import LIGHT, action_colour, legible
-from studio.plots import Axis, draw_icons, number, round_range, ticks
 
 WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, simulate
-from studio.encode import Segment, write_mp4
 from studio.errors import InputError, RunError
-from studio.film import compose_film, frame_times, lay_out, play, play_speed, write_film
-from studio.film_crowd import Ghosts, Trails
 from studio.judgements import judge
+from studio.painter.encode import Segment, write_mp4
+from studio.painter.film import compose_film, frame_times, lay_out, play, play_speed, write_film
+from studio.painter.film_crowd import Ghosts, Trails
+from studio.painter.picture import draw_picture
 from studio.palette import CONTACT
-from studio.picture import draw_picture
 
 SIZE = (640, 360)
 MANY_ACTIONS = tuple(MetaAction(f"action number {index}", 0.1 * index, 0.0) for index in range(20))

@@ -8,8 +8,8 @@ import pytest
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.errors import InputError, RunError
 from studio.judgements import judge
+from studio.painter.picture import compose_picture, draw_picture, write_png
 from studio.palette import CONTACT, LIGHT
-from studio.picture import compose_picture, draw_picture, write_png
 
 SIZES = [(640, 360), (1280, 720), (1600, 900), (3840, 2160), (1000, 1400)]
 

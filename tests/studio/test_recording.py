@@ -29,9 +29,9 @@ from scenes import (
 )
 from studio.errors import RunError
 from studio.judgements import Judgement, judge
-from studio.log_outcomes import bin_edges
 from studio.palette import CONTACT, action_colour
-from studio.recording import SCHEMA_VERSION, write_recording
+from studio.recorder.log_outcomes import bin_edges
+from studio.recorder.recording import SCHEMA_VERSION, write_recording
 
 REFERENCE = Path(__file__).parents[2] / "recordings" / "README.md"
 HALF_A_STEP = 1.0 / 256.0

@@ -7,11 +7,11 @@ views are few and show things as they were logged.
 import rerun.blueprint as rrb
 
 from scenes import Rollouts
-from studio import entities
 from studio.framing import Bounds
-from studio.log_outcomes import comparison_bounds, distributions_bounds
 from studio.naming import counted, short
 from studio.palette import LIGHT
+from studio.recorder import entities
+from studio.recorder.log_outcomes import comparison_bounds, distributions_bounds
 
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:

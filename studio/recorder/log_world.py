@@ -6,12 +6,12 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio import entities
-from studio.drawing import Drawing
 from studio.framing import Bounds
 from studio.judgements import FloatArray
 from studio.naming import short
 from studio.palette import CONTACT, LIGHT, PEDESTRIAN, WALL, action_colour, blend
+from studio.recorder import entities
+from studio.recorder.drawing import Drawing
 
 RESOLUTION = 1.0 / 128.0
 """Positions are rounded to this, about 8 mm: they are at most 4 mm off.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.canvas import Box, Canvas, FloatArray
+from studio.painter.canvas import Box, Canvas, FloatArray
 from studio.palette import CONTACT, LIGHT, Colour
 
 BoolArray = NDArray[np.bool_]

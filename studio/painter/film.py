@@ -13,17 +13,17 @@ from pathlib import Path
 import numpy as np
 
 from scenes import Rollouts
-from studio.canvas import SEMIBOLD, Box, Canvas, FloatArray, PixelArray, View
-from studio.encode import Progress, Segment, check_film_size, write_mp4
-from studio.film_crowd import Crowd
-from studio.film_side import Side
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
-from studio.labels import draw_labels
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray, PixelArray, View
+from studio.painter.encode import Progress, Segment, check_film_size, write_mp4
+from studio.painter.film_crowd import Crowd
+from studio.painter.film_side import Side
+from studio.painter.labels import draw_labels
+from studio.painter.picture import compose_picture
+from studio.painter.stage import draw_goal, draw_ground, draw_scale_bar, draw_walls, goal_label
+from studio.painter.titles import display_name, subtitles, titles
 from studio.palette import CONTACT, LIGHT, Colour, action_colour, legible
-from studio.picture import compose_picture
-from studio.stage import draw_goal, draw_ground, draw_scale_bar, draw_walls, goal_label
-from studio.titles import display_name, subtitles, titles
 
 LONGEST_ACTION = 2.0
 """Playing one action takes no longer than this, s."""

@@ -7,13 +7,13 @@ import rerun as rr
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio import entities
-from studio.drawing import OVERLAP, Drawing
 from studio.framing import Bounds
 from studio.judgements import FloatArray, Judgement
-from studio.log_world import rounded, time_columns
 from studio.naming import number, short, teacher_name
 from studio.palette import LIGHT, Colour, action_colour, blend
+from studio.recorder import entities
+from studio.recorder.drawing import OVERLAP, Drawing
+from studio.recorder.log_world import rounded, time_columns
 
 BINS: dict[str, tuple[float, float, float]] = {
     "clearance": (0.0, 1.0, 0.05),

@@ -6,12 +6,12 @@ import numpy as np
 
 from learners import value, weight
 from scenes import Rollouts
-from studio.canvas import SEMIBOLD, Box, Canvas
 from studio.judgements import Judgement, utilities
 from studio.naming import teacher_name
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.plots import Axis, number, round_range, ticks
+from studio.painter.titles import display_name
 from studio.palette import LIGHT, action_colour, legible, teacher_colour
-from studio.plots import Axis, number, round_range, ticks
-from studio.titles import display_name
 
 _PROBABILITY = ["probability p · thin: of gains, bold: of losses", "probability p", "p"]
 

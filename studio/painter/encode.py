@@ -18,8 +18,8 @@ import cv2
 from av.codec.context import Flags
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc
 
-from studio.canvas import PixelArray
 from studio.errors import InputError, RunError
+from studio.painter.canvas import PixelArray
 
 Progress = Callable[[int, int], None]
 """Told how many frames are done, and of how many."""

@@ -7,9 +7,9 @@ import numpy as np
 
 from learners import REWARD
 from scenes import FEATURES, Rollouts, scene_to_toml
-from studio import entities
 from studio.judgements import Judgement
 from studio.naming import counted, number, teacher_name
+from studio.recorder import entities
 
 
 def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:

@@ -5,11 +5,19 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.canvas import SEMIBOLD, Box, Canvas, FloatArray
-from studio.film_crowd import between
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.painter.film_crowd import between
+from studio.painter.plots import (
+    Axis,
+    draw_histogram,
+    draw_icons,
+    draw_ticks,
+    number,
+    round_range,
+    ticks,
+)
+from studio.painter.titles import display_name
 from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible
-from studio.plots import Axis, draw_histogram, draw_icons, draw_ticks, number, round_range, ticks
-from studio.titles import display_name
 
 _BINS = 24
 

@@ -7,11 +7,11 @@ import numpy as np
 import rerun as rr
 
 from learners import value, weight
-from studio import entities
-from studio.drawing import Drawing
 from studio.judgements import FloatArray, Judgement
 from studio.naming import number, teacher_name
 from studio.palette import LIGHT, TEACHER_COLOURS, Colour
+from studio.recorder import entities
+from studio.recorder.drawing import Drawing
 
 LARGEST_UTILITY = 0.5
 """The value curves are drawn from minus to plus this, in units of utility."""

@@ -17,21 +17,21 @@ import tomli_w
 from rerun.error_utils import catch_and_log_exceptions
 
 from scenes import Rollouts, scene_to_toml
-from studio import entities
-from studio.about import about_page, summary_page
-from studio.blueprint import recording_blueprint
-from studio.drawing import log_ground
 from studio.errors import RunError
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
-from studio.log_minds import log_judgements, log_values, log_weighting
-from studio.log_outcomes import (
+from studio.recorder import entities
+from studio.recorder.about import about_page, summary_page
+from studio.recorder.blueprint import recording_blueprint
+from studio.recorder.drawing import log_ground
+from studio.recorder.log_minds import log_judgements, log_values, log_weighting
+from studio.recorder.log_outcomes import (
     log_clearance,
     log_comparison,
     log_distributions,
     log_outcomes,
 )
-from studio.log_world import log_action, log_scene
+from studio.recorder.log_world import log_action, log_scene
 
 SCHEMA_VERSION = 1
 """Edition of the layout that `recordings/README.md` describes."""

@@ -7,12 +7,11 @@ import numpy as np
 
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
-from studio.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
-from studio.labels import Label, draw_labels
-from studio.palette import CONTACT, LIGHT, action_colour, legible
-from studio.stage import (
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
+from studio.painter.labels import Label, draw_labels
+from studio.painter.stage import (
     PEOPLE_PATH,
     draw_goal,
     draw_ground,
@@ -24,7 +23,8 @@ from studio.stage import (
     goal_label,
     overlap_opacity,
 )
-from studio.titles import display_name
+from studio.painter.titles import display_name
+from studio.palette import CONTACT, LIGHT, action_colour, legible
 
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 

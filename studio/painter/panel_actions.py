@@ -7,11 +7,10 @@ import numpy as np
 
 from learners import REWARD
 from scenes import FEATURES, Rollouts
-from studio.canvas import SEMIBOLD, Box, Canvas, FloatArray
 from studio.judgements import Judgement
 from studio.naming import teacher_name
-from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible, teacher_colour
-from studio.plots import (
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.painter.plots import (
     Axis,
     draw_histogram,
     draw_icons,
@@ -20,7 +19,8 @@ from studio.plots import (
     signed,
     ticks,
 )
-from studio.titles import display_name
+from studio.painter.titles import display_name
+from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible, teacher_colour
 
 _BINS = 24
 _NOTES = ["black dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.canvas import Canvas, FloatArray, PixelArray, View, disc_coverage, tinted
+from studio.painter.canvas import Canvas, FloatArray, PixelArray, View, disc_coverage, tinted
+from studio.painter.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.palette import CONTACT, PEDESTRIAN, Colour, action_colour
-from studio.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 
 _TOLD_IN_FULL = 0  # the rollout that is drawn in full
 

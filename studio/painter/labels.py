@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.canvas import Box, Canvas, Point
+from studio.painter.canvas import Box, Canvas, Point
 from studio.palette import Colour
 
 _DIRECTIONS = 24

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
-from studio.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
-from studio.labels import Label
+from studio.painter.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
+from studio.painter.labels import Label
 from studio.palette import LIGHT, PEDESTRIAN, WALL, Colour, blend
 
 GROUP = blend(PEDESTRIAN, LIGHT.panel, 0.5)

@@ -11,15 +11,15 @@ from pathlib import Path
 import cv2
 
 from scenes import Rollouts
-from studio.canvas import SEMIBOLD, Box, Canvas, PixelArray
 from studio.errors import RunError
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
+from studio.painter.panel_actions import ActionTable
+from studio.painter.panel_scene import draw_scene
+from studio.painter.panel_teachers import draw_teachers
+from studio.painter.titles import subtitles, titles
 from studio.palette import LIGHT
-from studio.panel_actions import ActionTable
-from studio.panel_scene import draw_scene
-from studio.panel_teachers import draw_teachers
-from studio.titles import subtitles, titles
 
 _MARGIN, _GAP = 36, 36  # of the page and between its blocks, in units of the reference page
 

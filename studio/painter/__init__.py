@@ -1,0 +1,1 @@
+"""The painter: pictures and films, drawn without a display."""

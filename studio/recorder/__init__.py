@@ -1,0 +1,1 @@
+"""The recorder: what a person opens in the Rerun viewer."""
