@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
 
-PATIENCE = 1.5
+PATIENCE = 4.0
 """How long a person waits without a word, s."""
 
 

@@ -11,7 +11,9 @@ def display_name(name: str) -> str:
 def titles(rollouts: Rollouts) -> list[str]:
     """What the scene is called, the longest wording first."""
     scene = rollouts.scene
-    return [f"{scene.name} · {scene.family}/{scene.pattern}", scene.name]
+    silent = (scene.name, "custom")  # words that would repeat the name, or say nothing
+    kind = [display_name(word) for word in (scene.family, scene.pattern) if word not in silent]
+    return [" · ".join([scene.name, *kind]), scene.name]
 
 
 def subtitles(rollouts: Rollouts) -> list[str]:
@@ -23,11 +25,12 @@ def subtitles(rollouts: Rollouts) -> list[str]:
         crowd = f"{_plural(people, 'pedestrian')}, {_plural(groups, 'group')}"
     horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
     sizes = f"{_plural(actions, 'action')} × {_plural(count, 'rollout')}"
+    number = rollouts.scene.number
+    seed = f"seed {rollouts.seed}, number {number}" if number else f"seed {rollouts.seed}"
     return [
-        f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · "
-        f"seed {rollouts.seed}",
-        f"{sizes} · {crowd} · {horizon} · {rollouts.model} · seed {rollouts.seed}",
-        f"{sizes} · {horizon} · {rollouts.model} · seed {rollouts.seed}",
+        f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · {seed}",
+        f"{sizes} · {crowd} · {horizon} · {rollouts.model} · {seed}",
+        f"{sizes} · {horizon} · {rollouts.model} · {seed}",
     ]
 
 

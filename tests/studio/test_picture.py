@@ -95,7 +95,7 @@ def test_the_png_has_the_size_asked_for_and_shows_something(default, tmp_path, s
 def test_the_page_says_what_was_simulated_what_happened_and_what_it_is_worth(default):
     rollouts, judgements = default
     texts = [placed.text for placed in compose_picture(*default).texts]
-    assert "a-scene · custom/custom" in texts
+    assert "a-scene" in texts
     assert any(
         all(part in text for part in ("7 actions × 6 rollouts", "4 pedestrians", "1.5 s", "seed 0"))
         for text in texts
