@@ -189,6 +189,15 @@ def metadata(plan: BankPlan) -> dict[str, Any]:
     }
 
 
+def is_bank_of(plan: BankPlan, path: Path) -> bool:
+    """Whether a file is the bank that this plan gives, made with these very versions."""
+    try:
+        said = pq.read_schema(path).metadata or {}
+    except (OSError, pa.ArrowInvalid):
+        return False
+    return said.get(b"prospect_studio") == json.dumps(metadata(plan)).encode()
+
+
 def _in_order(plan: BankPlan, numbers: range, workers: int) -> Iterator[pa.Table]:
     """The rows of each scene in turn, with twice as many scenes under way as workers."""
     with _executor(plan.engine, workers) as pool:

@@ -90,6 +90,7 @@ def _add_extended(
     for j in range(agents):
         if j == i:
             continue
+        # The choice stands outside the loop over lanes: inside, it costs a fifth of the speed.
         if wrap:
             for lane in range(LANES):
                 ax, ay = forces.social(
