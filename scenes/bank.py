@@ -22,7 +22,7 @@ import pyarrow.parquet as pq
 
 from scenes.actions import META_ACTIONS, MetaAction
 from scenes.crowd import Model
-from scenes.errors import InputError
+from scenes.errors import check_whole
 from scenes.families import sample_scene
 from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, FEATURES, PROGRESS_SPEED
 from scenes.noise import Noise
@@ -89,8 +89,7 @@ class BankPlan:
     actions: tuple[MetaAction, ...] = META_ACTIONS
 
     def __post_init__(self) -> None:
-        if not 1 <= self.scenes <= MOST_SCENES:
-            raise InputError(f"scenes: {self.scenes} is not allowed: 1 to {MOST_SCENES}")
+        check_whole("scenes", self.scenes, 1, MOST_SCENES)
 
 
 def write_bank(
@@ -110,7 +109,9 @@ def write_bank(
     Raises:
         InputError: if the plan asks for something that cannot be simulated.
     """
-    workers = workers or os.cpu_count() or 1
+    if workers is None:
+        workers = os.cpu_count() or 1
+    check_whole("workers", workers, 1, 1024)
     schema = BANK_SCHEMA.with_metadata({"prospect_studio": json.dumps(metadata(plan))})
     # The first scene is simulated here: a wrong plan fails before a file is opened.
     first = sample_rows(plan, 0)

@@ -398,6 +398,6 @@ def walk(
             paths,
         )
 
-    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+    with ThreadPoolExecutor(os.cpu_count() if threads is None else threads) as pool:
         list(pool.map(run, range(0, lanes, LANES)))
     return paths.reshape(actions, rollouts, *paths.shape[1:])

@@ -1,8 +1,25 @@
 """What is raised when the caller's input is wrong."""
 
+LARGEST_SEED = 2**63 - 1
+"""Seeds fit the whole numbers of Parquet and of recordings."""
+
 
 class InputError(ValueError):
     """The caller gave something that cannot be used.
 
     The message is one line that names the field, what was given and what is allowed.
     """
+
+
+def check_whole(field: str, value: int, least: int, most: int) -> None:
+    """Make sure that a number is whole and in range.
+
+    Raises:
+        InputError: if it is not.
+    """
+    try:
+        allowed = least <= value.__index__() <= most
+    except (AttributeError, TypeError):
+        raise InputError(f"{field}: {value!r} is not allowed: a whole number is needed") from None
+    if not allowed:
+        raise InputError(f"{field}: {value} is not allowed: {least} to {most}")

@@ -14,9 +14,9 @@ from types import MappingProxyType
 
 import numpy as np
 
-from scenes.errors import InputError
+from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.geometry import distance_to_segments
-from scenes.scene import MEAN_WALKING_SPEED, Pedestrian, Robot, Scene, Wall
+from scenes.scene import LARGEST_NUMBER, MEAN_WALKING_SPEED, Pedestrian, Robot, Scene, Wall
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def load_scene(
         family_or_name: one of `FAMILIES`, for example "doorway".
         pattern: one of the family's patterns; None takes the first of them, which is the one
             that shows the family best ("doorway" alone is two-way traffic through the opening).
-        seed: seed of the series, 0 to 2**64 - 1.
+        seed: seed of the series, 0 to 2**63 - 1.
         number: which scene of the series, 0 to 2**31 - 1.
 
     Returns:
@@ -147,7 +147,7 @@ def sample_scene(
     run of scenes has each family equally often (to within one).
 
     Args:
-        seed: seed of the series, 0 to 2**64 - 1.
+        seed: seed of the series, 0 to 2**63 - 1.
         number: which scene of the series, 0 to 2**31 - 1.
         families: families to draw from; None is all of them.
         patterns: patterns to draw from; None is all of them. A family that has none of them is
@@ -156,7 +156,7 @@ def sample_scene(
     Raises:
         InputError: if a name is unknown, a number is out of range, or nothing is left to draw from.
     """
-    _check_number("number", number, 2**31)
+    check_whole("number", number, 0, LARGEST_NUMBER)
     choices = _choices(families, patterns)
     turn, place = divmod(number, len(choices))
     family, its_patterns = choices[place]
@@ -211,15 +211,10 @@ def _check_known(field: str, name: str, allowed: Collection[str]) -> None:
         raise InputError(f"{field}: {name!r} is unknown: choose from {', '.join(allowed)}")
 
 
-def _check_number(field: str, value: int, end: int) -> None:
-    if not 0 <= value < end:
-        raise InputError(f"{field}: {value} is not allowed: 0 to {end - 1}")
-
-
 def _stream(seed: int, number: int) -> np.random.Generator:
     """The scene's own random stream; the noise of rollouts uses counters that start with 0."""
-    _check_number("seed", seed, 2**64)
-    _check_number("number", number, 2**31)
+    check_whole("seed", seed, 0, LARGEST_SEED)
+    check_whole("number", number, 0, LARGEST_NUMBER)
     key = np.array([seed, number], dtype=np.uint64)
     return np.random.Generator(np.random.Philox(key=key, counter=[0, 0, 0, 1]))
 

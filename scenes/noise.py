@@ -98,7 +98,7 @@ def disturb(
         rollouts: K.
         steps: T.
         dt: length of a step, s.
-        seed: 0 to 2⁶⁴ - 1.
+        seed: 0 to 2⁶³ - 1.
     """
     people = len(scene.pedestrians)
     starts = np.empty((rollouts, people, 2))  # standard deviations, for now
@@ -132,7 +132,8 @@ def disturb(
 
 def rollout_stream(seed: int, scene_number: int, rollout: int) -> np.random.Generator:
     """The random stream of one rollout of one scene."""
-    return np.random.Generator(np.random.Philox(key=[seed, scene_number << 32 | rollout]))
+    key = np.array([seed, scene_number << 32 | rollout], dtype=np.uint64)
+    return np.random.Generator(np.random.Philox(key=key))
 
 
 def _set_out(
@@ -159,11 +160,18 @@ def _set_out(
     velocity = speed[..., None] * towards
     for index, person in enumerate(people):
         if person.velocity is not None and walks[index]:
-            # A recorded velocity is kept in direction, and in proportion to the speed drawn.
-            share = speed[:, index, None] / nominal_speed[index]
-            velocity[:, index] = share * np.array(person.velocity)
+            velocity[:, index] = _faster_by(
+                np.array(person.velocity), speed[:, index] - nominal_speed[index]
+            )
     nothing = np.zeros((rollouts, 0, len(people), 2))
     return Crowd(start, velocity, goal, speed, nothing)
+
+
+def _faster_by(recorded: FloatArray, difference: FloatArray) -> FloatArray:
+    """A recorded velocity, [2], faster by each difference, [K], in the same direction, [K, 2]."""
+    pace = float(np.hypot(*recorded))
+    faster = np.maximum(pace + difference, 0.0) / pace if pace > 0.0 else np.zeros(len(difference))
+    return faster[:, None] * recorded
 
 
 def _truncated_normal(uniform: FloatArray) -> FloatArray:

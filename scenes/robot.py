@@ -7,7 +7,7 @@ import numpy as np
 
 from scenes.actions import MetaAction
 from scenes.errors import InputError
-from scenes.geometry import FloatArray, distance_to_segments
+from scenes.geometry import FloatArray, distance_to_segments, length
 from scenes.noise import Disturbance
 from scenes.scene import ROBOT_RADIUS, Scene
 
@@ -71,12 +71,23 @@ def drive(
 
 
 def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
-    """The path up to the first step at which the robot touches a wall; there it stays."""
+    """The path up to where the robot first touches a wall; there it stays.
+
+    Steps that are longer than the robot's radius are looked at in pieces: none jumps over a wall.
+    """
     if not len(walls):
         return path
-    touches = distance_to_segments(path[..., :2], walls).min(axis=-1) < ROBOT_RADIUS
-    last = np.where(touches.any(axis=-1), touches.argmax(axis=-1), path.shape[2])  # (A, K)
-    step = np.minimum(np.arange(path.shape[2]), last[..., None])  # (A, K, T+1)
-    stopped = np.take_along_axis(path, step[..., None], axis=2)
-    stopped[step == last[..., None], 3] = 0.0
+    moves = length(np.diff(path[..., :2], axis=2)).max(initial=0.0)
+    pieces = max(1, math.ceil(moves / ROBOT_RADIUS))
+    if pieces > 1:
+        share = np.arange(pieces)[:, None] / pieces
+        between = path[:, :, :-1, None] * (1.0 - share) + path[:, :, 1:, None] * share
+        fine = np.concatenate([between.reshape(*path.shape[:2], -1, 4), path[:, :, -1:]], axis=2)
+    else:
+        fine = path
+    touches = distance_to_segments(fine[..., :2], walls).min(axis=-1) < ROBOT_RADIUS
+    last = np.where(touches.any(axis=-1), touches.argmax(axis=-1), fine.shape[2])  # (A, K)
+    place = np.minimum(np.arange(path.shape[2]) * pieces, last[..., None])  # (A, K, T+1)
+    stopped = np.take_along_axis(fine, place[..., None], axis=2)
+    stopped[place == last[..., None], 3] = 0.0
     return stopped

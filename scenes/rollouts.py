@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from scenes.actions import META_ACTIONS, MetaAction
 from scenes.crowd import Model, surroundings_of
-from scenes.errors import InputError
+from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.features import describe
 from scenes.geometry import FloatArray
 from scenes.noise import Noise, disturb
@@ -23,6 +23,9 @@ DEFAULT_STEP = 0.1
 """Length of a step, s."""
 
 MOST_ROLLOUTS = 10_000
+MOST_POSITIONS = 100_000_000
+"""Positions of people in one simulation; they and what is made of them fill about 5 GB."""
+
 LONGEST_HORIZON = 60.0
 """Beyond this a meta-action held all the time describes no robot, s."""
 
@@ -118,7 +121,8 @@ def simulate(
     Raises:
         InputError: if an argument is out of range.
     """
-    steps = _check(actions, rollouts, seed, engine, model, horizon, dt)
+    steps = _check(actions, rollouts, seed, engine, model, horizon, dt, threads)
+    _check_size(len(actions) * rollouts * (steps + 1), len(scene.pedestrians))
     disturbance = disturb(scene, noise, rollouts, steps, dt, seed)
     driven = drive(scene, actions, disturbance, limits, dt)  # (A, K, T+1, 4)
     surroundings = surroundings_of(scene)
@@ -141,6 +145,8 @@ def simulate(
     without_robot = paths_among(nobody)[0]
     robot = driven[..., :3]
     outcomes = describe(scene, robot, pedestrians, without_robot, dt)
+    for array in (robot, pedestrians, without_robot, *vars(outcomes).values()):
+        array.setflags(write=False)
     return Rollouts(
         scene=scene,
         actions=actions,
@@ -162,6 +168,14 @@ def simulate(
     )
 
 
+def _check_size(moments: int, people: int) -> None:
+    if moments * people > MOST_POSITIONS:
+        raise InputError(
+            f"actions × rollouts × steps × pedestrians: {moments * people:,} is not allowed: at "
+            f"most {MOST_POSITIONS:,}; take fewer rollouts or a shorter horizon"
+        )
+
+
 def warm_up(engine: Engine) -> None:
     """Compile an engine, which takes seconds on its first use, by simulating a tiny scene."""
     person = Pedestrian(start=(2.0, 1.0), goal=(-9.0, 1.0))
@@ -177,6 +191,7 @@ def _check(
     model: str,
     horizon: float,
     dt: float,
+    threads: int | None,
 ) -> int:
     """Check what `simulate` was given; the number of steps."""
     if not actions:
@@ -184,10 +199,10 @@ def _check(
     names = [action.name for action in actions]
     if len(set(names)) < len(names):
         raise InputError(f"actions: {', '.join(names)}: every action needs a name of its own")
-    if not 1 <= rollouts <= MOST_ROLLOUTS:
-        raise InputError(f"rollouts: {rollouts} is not allowed: 1 to {MOST_ROLLOUTS}")
-    if not 0 <= seed < 2**64:
-        raise InputError(f"seed: {seed} is not allowed: 0 to 2^64 - 1")
+    check_whole("rollouts", rollouts, 1, MOST_ROLLOUTS)
+    check_whole("seed", seed, 0, LARGEST_SEED)
+    if threads is not None:
+        check_whole("threads", threads, 1, 1024)
     if engine not in get_args(Engine):
         raise InputError(f"engine: {engine!r} is not known: {', '.join(get_args(Engine))}")
     if model not in get_args(Model):

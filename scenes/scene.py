@@ -29,10 +29,13 @@ MEAN_WALKING_SPEED = 1.34
 
 _SHORT_ARRAY = re.compile(r"\[\n\s*([^\[\]]+),\n\s*\]")
 _LINE_BREAK = re.compile(r",\n\s*")
+LARGEST_NUMBER = 2**31 - 1
+"""Largest number of a scene in a series."""
+
 _STRICT = ConfigDict(extra="forbid", allow_inf_nan=False)
 
-Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0)]
-SpeedComponent = Annotated[float, Field(ge=-5.0, le=5.0)]
+Coordinate = Annotated[float, Field(strict=True, ge=-1000.0, le=1000.0)]
+SpeedComponent = Annotated[float, Field(strict=True, ge=-5.0, le=5.0)]
 Word = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
 Point = tuple[Coordinate, Coordinate]
 
@@ -65,7 +68,7 @@ class Pedestrian:
 
     start: Point
     goal: Point
-    desired_speed: Annotated[float, Field(ge=0.0, le=5.0)] = MEAN_WALKING_SPEED
+    desired_speed: Annotated[float, Field(strict=True, ge=0.0, le=5.0)] = MEAN_WALKING_SPEED
     velocity: tuple[SpeedComponent, SpeedComponent] | None = None
 
 
@@ -83,8 +86,8 @@ class Robot:
 
     start: Point
     goal: Point
-    heading: Annotated[float, Field(ge=-math.tau, le=math.tau)] | None = None
-    speed: Annotated[float, Field(ge=0.0, le=3.0)] = 1.0
+    heading: Annotated[float, Field(strict=True, ge=-math.tau, le=math.tau)] | None = None
+    speed: Annotated[float, Field(strict=True, ge=0.0, le=3.0)] = 1.0
 
     @property
     def start_heading(self) -> float:
@@ -118,10 +121,10 @@ class Scene:
     robot: Robot
     pedestrians: Annotated[tuple[Pedestrian, ...], Field(max_length=500)] = ()
     walls: Annotated[tuple[Wall, ...], Field(max_length=500)] = ()
-    groups: tuple[tuple[int, ...], ...] = ()
+    groups: tuple[tuple[Annotated[int, Field(strict=True)], ...], ...] = ()
     family: Word = "custom"
     pattern: Word = "custom"
-    number: Annotated[int, Field(ge=0, lt=2**31)] = 0
+    number: Annotated[int, Field(strict=True, ge=0, le=LARGEST_NUMBER)] = 0
 
     def __post_init__(self) -> None:
         _check_walls(self)
@@ -170,6 +173,8 @@ def scene_from_toml(text: str, source: str = "scene") -> Scene:
         return _SCENE.validate_python(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{source}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{source}: not a scene: nested too deep") from None
     except ValidationError as error:
         raise InputError(f"{source}: {one_line(error)}") from None
 

@@ -362,7 +362,7 @@ def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> P
     positions, velocities = tracks.positions[later], tracks.velocities[later]
     place = _position(start)
     speeds = np.hypot(velocities[:, 0], velocities[:, 1])
-    if speeds[0] < STANDING_SPEED:
+    if min(speeds[0], speeds.mean()) < STANDING_SPEED:
         return Pedestrian(start=place, goal=place, desired_speed=0.0)
     ahead = positions[-1] - start
     if np.hypot(*ahead) < _END_IS_NEAR:

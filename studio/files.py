@@ -2,40 +2,57 @@
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from studio.errors import InputError
-
-
-def writable_folder(folder: Path, option: str) -> Path:
-    """Make sure that files can be written to a folder, creating it if need be.
-
-    Args:
-        folder: the folder.
-        option: what the user calls it, for the message.
-
-    Raises:
-        InputError: if it cannot be created or written to.
-    """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"{option}: {folder}: cannot be created: {error.strerror}") from None
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise InputError(f"{option}: {folder}: cannot be written to: permission denied")
-    return folder
+from studio.errors import InputError, RunError
 
 
 @contextmanager
-def replacing(path: Path) -> Iterator[Path]:
-    """A temporary name beside the final one, moved into place only when the block succeeds.
+def replacing(*paths: Path) -> Iterator[list[Path]]:
+    """Temporary names beside the final ones, all moved into place when the block has succeeded.
 
-    A reader never finds half a file, and an old file survives a failure or an interruption.
+    A reader never finds half a file, and old files survive a failure or an interruption. Folders
+    are made as needed, and go again if nothing comes of it. That files can be written there is
+    found out before the block begins.
+
+    Raises:
+        InputError: if a path is a folder, or its folder cannot be made or written to.
+        RunError: if writing fails, for example because the disk is full.
     """
-    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    made: list[Path] = []
+    parts = [path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}") for path in paths]
     try:
-        yield part
-        part.replace(path)
+        for path, part in zip(paths, parts, strict=True):
+            _prepare(path, part, made)
+        yield parts
+        for path, part in zip(paths, parts, strict=True):
+            part.replace(path)
+        made.clear()
+    except OSError as error:
+        final = {str(part): path for path, part in zip(paths, parts, strict=True)}
+        if error.filename is not None and str(error.filename) not in final:
+            raise
+        name = final.get(str(error.filename), paths[0])
+        raise RunError(f"{name}: cannot be written: {error.strerror or error}") from error
     finally:
-        part.unlink(missing_ok=True)
+        for part in parts:
+            if part.parent.is_dir():
+                part.unlink(missing_ok=True)
+        with suppress(OSError):  # a folder that holds something stays
+            for folder in reversed(made):
+                folder.rmdir()
+
+
+def _prepare(path: Path, part: Path, made: list[Path]) -> None:
+    """Make a path's folder, noting what is made, and the empty temporary file."""
+    try:
+        missing = [folder for folder in (path.parent, *path.parent.parents) if not folder.exists()]
+        for folder in reversed(missing):
+            folder.mkdir()
+            made.append(folder)
+        if path.is_dir():
+            raise InputError(f"--out: {path}: is a folder: the name of a file is needed")
+        part.touch()
+    except OSError as error:
+        raise InputError(f"--out: {path}: cannot be written: {error.strerror}") from None

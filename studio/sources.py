@@ -58,14 +58,22 @@ def find_scene(source: Source) -> Scene:
     if path.suffix == ".toml":
         _refuse(for_families | for_tracks, "families or tracks", "a scene file")
         return scene_from_file(path)
-    if path.exists():
+    if is_file(source.scene):
         _refuse(for_families, "families", "recorded tracks")
         frame = busiest_frames(path, 1)[0][0] if source.frame is None else source.frame
         return scene_from_tracks(path, frame, source.robot_start, source.robot_goal)
     raise InputError(
-        f"scene: {source.scene!r} is neither a family ({', '.join(FAMILIES)}) nor a file "
+        f"--scene: {source.scene!r} is neither a family ({', '.join(FAMILIES)}) nor a file "
         "(a scene ending in .toml, or the obsmat.txt of recorded tracks)"
     )
+
+
+def is_file(name: str) -> bool:
+    """Whether there is a file or folder of this name."""
+    try:
+        return bool(name) and Path(name).exists()
+    except OSError:  # a name that no file can have
+        return False
 
 
 def _refuse(options: dict[str, Any], goes_with: str, given: str) -> None:

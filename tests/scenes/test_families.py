@@ -17,7 +17,7 @@ COMBINATIONS = [(name, p) for name, family in FAMILIES.items() for p in family.p
 any_scene = st.builds(
     lambda combination, seed, number: load_scene(*combination, seed, number),
     st.sampled_from(COMBINATIONS),
-    st.integers(0, 2**64 - 1),
+    st.integers(0, 2**63 - 1),
     st.integers(0, 2**31 - 1),
 )
 series = settings(deadline=None, derandomize=True, max_examples=150)
@@ -169,8 +169,8 @@ def test_a_series_can_be_narrowed() -> None:
     [
         (lambda: load_scene("kitchen"), "family: 'kitchen' is unknown: choose from corridor, "),
         (lambda: load_scene("open", "bottleneck"), "pattern: open has no pattern 'bottleneck': "),
-        (lambda: load_scene("open", seed=-1), "seed: -1 is not allowed: 0 to 18446744073709551615"),
-        (lambda: load_scene("open", seed=2**64), "seed: 18446744073709551616 is not allowed: "),
+        (lambda: load_scene("open", seed=-1), "seed: -1 is not allowed: 0 to 9223372036854775807"),
+        (lambda: load_scene("open", seed=2**63), "seed: 9223372036854775808 is not allowed: "),
         (lambda: load_scene("open", number=2**31), "number: 2147483648 is not allowed: 0 to "),
         (lambda: load_scene("open", number=-1), "number: -1 is not allowed: 0 to 2147483647"),
         (lambda: sample_scene(0, -1), "number: -1 is not allowed"),

@@ -73,6 +73,14 @@ def test_a_recorded_velocity_keeps_its_direction() -> None:
     assert velocity[:, 0].std() > 0.05
 
 
+def test_a_recorded_walker_sets_off_about_as_fast_as_recorded() -> None:
+    slow = Pedestrian((4.0, 0.0), (-40.0, 0.0), 0.21, velocity=(-0.9, 0.0))
+    scene = Scene("slow", Robot((0.0, 3.0), (9.0, 3.0)), (slow,))
+    velocity = disturb(scene, Noise(), 500, 5, 0.1, seed=0).crowd.velocities[:, 0, 0]
+    assert velocity.min() > -0.9 - 0.53
+    assert velocity.max() <= 0.0
+
+
 def test_the_spread_is_what_the_fields_promise() -> None:
     rollouts = 4000
     noise = Noise(start=0.05, desired_speed=0.26, goal=0.5, acceleration=1.0)

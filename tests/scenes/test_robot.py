@@ -70,6 +70,15 @@ def test_a_wall_stops_it_for_good() -> None:
         assert (path[rollout, step:, :3] == path[rollout, step, :3]).all()
 
 
+@pytest.mark.parametrize("dt", [0.1, 0.5])
+def test_no_robot_is_so_fast_that_it_jumps_over_a_wall(dt: float) -> None:
+    walled = replace(OPEN, walls=(Wall((2.0, -9.0), (2.0, 9.0)),))
+    disturbance = disturb(walled, Noise(robot_speed=1.0), 500, 40, dt, seed=0)
+    path = drive(walled, (MetaAction("dash", 3.0, 0.0),), disturbance, Limits(9.0, 2.0), dt)
+    assert path[..., 0].max() < 2.0
+    assert (path[:, :, -1, 3] == 0).mean() > 0.9
+
+
 def test_noise_spreads_the_paths_and_no_two_actions_differ_in_luck() -> None:
     paths = driven(OPEN, ACTIONS["forward"], ACTIONS["forward"], noise=Noise(), rollouts=200)
     np.testing.assert_array_equal(paths[0], paths[1])

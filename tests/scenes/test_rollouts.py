@@ -107,6 +107,26 @@ def test_an_empty_scene_can_be_simulated() -> None:
     assert not result.features[..., 4].any()
 
 
+def test_what_does_not_fit_into_memory_is_refused() -> None:
+    crowd = tuple(Pedestrian((5.0 + i % 20, 0.5 * (i // 20)), (-90.0, 0.0)) for i in range(400))
+    scene = Scene("crowded", Robot((0.0, -5.0), (9.0, -5.0)), crowd)
+    with pytest.raises(InputError, match="take fewer rollouts or a shorter horizon"):
+        simulate(scene, rollouts=10_000, horizon=60.0)
+
+
+def test_the_largest_seeds_are_as_different_as_any() -> None:
+    robots = [simulate(DOORWAY, rollouts=2, seed=2**63 - 1 - less).robot for less in range(3)]
+    assert not np.allclose(robots[0], robots[1])
+    assert not np.allclose(robots[1], robots[2])
+    assert not np.allclose(robots[0][:, 0], robots[0][:, 1])
+
+
+def test_a_result_cannot_be_changed_by_accident() -> None:
+    result = simulate(DOORWAY, rollouts=1, horizon=0.1)
+    with pytest.raises(ValueError, match="read-only"):
+        result.robot[0, 0, 0, 0] = 1.0
+
+
 def test_noise_makes_a_distribution_and_none_makes_a_point() -> None:
     shaken = simulate(DOORWAY, rollouts=10)
     still = simulate(DOORWAY, rollouts=10, noise=Noise(0, 0, 0, 0, 0, 0, 0))
@@ -125,7 +145,10 @@ def test_the_callers_scene_number_keys_the_noise() -> None:
         ({"rollouts": 0}, "rollouts: 0 is not allowed: 1 to 10000"),
         ({"rollouts": 10**9}, "rollouts: 1000000000 is not allowed"),
         ({"seed": -1}, "seed: -1 is not allowed"),
-        ({"seed": 2**64}, "seed: 18446744073709551616 is not allowed"),
+        ({"seed": 2**63}, "seed: 9223372036854775808 is not allowed: 0 to 9223372036854775807"),
+        ({"seed": 1.5}, "seed: 1.5 is not allowed: a whole number is needed"),
+        ({"rollouts": 2.5}, "rollouts: 2.5 is not allowed: a whole number is needed"),
+        ({"threads": 0}, "threads: 0 is not allowed: 1 to 1024"),
         ({"engine": "warp"}, "engine: 'warp' is not known: batched, pysocialforce"),
         ({"model": "magic"}, "model: 'magic' is not known: extended, helbing-molnar"),
         ({"horizon": 0.0}, "horizon: 0.0 s is not allowed"),
