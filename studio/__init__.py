@@ -1,1 +1,5 @@
 """The orchestrator and everything a person touches."""
+
+from studio.orchestrator import Studio
+
+__all__ = ["Studio"]

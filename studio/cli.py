@@ -1,11 +1,13 @@
 """The command line: it parses, calls the orchestrator, and prints.
 
-Exit codes: 0 done, 1 failed while running, 2 the user's input was wrong. What goes wrong ends in
-one line on standard error; only a fault of the program itself ends in a traceback.
+Exit codes: 0 done, 1 failed while running, 2 the user's input was wrong, 130 interrupted. What
+goes wrong ends in one line on standard error; only a fault of the program itself ends in a
+traceback.
 """
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -17,7 +19,7 @@ from studio.errors import InputError, RunError
 
 if TYPE_CHECKING:
     from scenes import Noise
-    from studio.orchestrator import Recorded
+    from studio.orchestrator import Learned, Recorded
 
 
 class OneLineErrors(click.Group):
@@ -26,6 +28,7 @@ class OneLineErrors(click.Group):
     def main(self, *args: Any, **keywords: Any) -> NoReturn:
         """Run the command line, then leave the process."""
         try:
+            signal.signal(signal.SIGTERM, _stop)
             code = super().main(*args, **(keywords | {"standalone_mode": False}))
         except click.exceptions.NoArgsIsHelpError as error:
             click.echo(error.format_message())
@@ -36,15 +39,24 @@ class OneLineErrors(click.Group):
             _leave("interrupted", 130)
         except InputError as error:
             _leave(str(error), 2)
-        except (RunError, OSError) as error:
-            _leave(str(error), 1)
+        except (RunError, OSError, MemoryError) as error:
+            _leave(str(error) or "out of memory", 1)
         except ValueError as error:
-            from scenes import InputError as SceneInputError  # only when something went wrong
-
-            if not isinstance(error, SceneInputError):
+            if not isinstance(error, _input_errors()):
                 raise
             _leave(str(error), 2)
         sys.exit(code if isinstance(code, int) else 0)
+
+
+def _input_errors() -> tuple[type[Exception], ...]:
+    """What the rooms raise for wrong input; only a room that is loaded can have raised it."""
+    rooms = (sys.modules.get(name) for name in ("scenes.errors", "learners.errors"))
+    return tuple(room.InputError for room in rooms if room is not None)
+
+
+def _stop(_signal: int, _frame: object) -> NoReturn:
+    """End as an interruption does, so that nothing half-written is left behind."""
+    raise KeyboardInterrupt
 
 
 def _leave(message: str, code: int) -> NoReturn:
@@ -193,16 +205,20 @@ def scenes(name: str | None, pattern: str | None, seed: int, number: int) -> Non
     Without NAME: the families and patterns. With a family's NAME: one scene of it as TOML, ready
     to edit and to record. With the obsmat.txt of recorded tracks: the busiest frames.
     """
+    from dataclasses import replace
+
     from scenes import FAMILIES, busiest_frames, load_scene, scene_to_toml
+    from studio.sources import is_file
 
     if name is None:
         _print_families()
-    elif name not in FAMILIES and Path(name).exists():
-        click.echo("frame   people")
-        for frame, people in busiest_frames(Path(name)):
-            click.echo(f"{frame:<7} {people}")
+    elif name not in FAMILIES and is_file(name):
+        lines = [f"{frame:<7} {people}" for frame, people in busiest_frames(Path(name))]
+        click.echo("\n".join(["frame   people", *lines]))
     else:
-        click.echo(scene_to_toml(load_scene(name, pattern, seed, number)), nl=False)
+        scene = load_scene(name, pattern, seed, number)
+        # A name of its own: recorded, it does not replace the family's own recording.
+        click.echo(scene_to_toml(replace(scene, name=f"{name}-{seed}-{number}")), nl=False)
 
 
 @main.command()
@@ -234,6 +250,71 @@ def sample(out: Path, **plan: Any) -> None:
     written = Studio(progress=Terminal()).sample(out, wanted)
     rows = wanted.scenes * len(wanted.actions) * wanted.rollouts
     click.echo(f"{written}  {rows:,} outcomes of {wanted.scenes} scenes, {_size(written)}")
+
+
+@main.command()
+@click.option(
+    "--outcomes",
+    type=click.Path(path_type=Path),
+    help="The outcome bank; left out, the default bank is sampled to OUT/outcomes.parquet.",
+)
+@click.option(
+    "--teachers", callback=_read_names, default="eu,tk,strong", show_default=True, metavar="A,B"
+)
+@click.option(
+    "--profile",
+    "profiles",
+    multiple=True,
+    metavar="NAME=α,η,λ,γ,δ",
+    help="A teacher of your own, for example cautious=0.9,0.9,4,0.6,0.7; repeatable.",
+)
+@click.option("--beta", type=float, help="How decided the teachers are; 20 if left out.")
+@click.option(
+    "--learners", callback=_read_names, default="eu,cpt", show_default=True, metavar="A,B"
+)
+@click.option(
+    "--pairs",
+    callback=_read_names,
+    default="25,50,100,200,500,1000,2000",
+    show_default=True,
+    metavar="N,M",
+    help="Numbers of pairs to learn from.",
+)
+@click.option("--seeds", default=5, show_default=True, help="Repetitions.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    default="recordings",
+    show_default=True,
+    help="Folder for the files.",
+)
+def learn(
+    outcomes: Path | None,
+    teachers: tuple[str, ...],
+    profiles: tuple[str, ...],
+    beta: float | None,
+    learners: tuple[str, ...],
+    pairs: tuple[str, ...],
+    seeds: int,
+    out: Path,
+) -> None:
+    """Study how well learners recover what teachers want.
+
+    Teachers choose between pairs of actions, learners are fitted to the choices and put to the test
+    on scenes that were kept back. Writes OUT/learning.parquet, learning.png and learning.rrd; an
+    interrupted study continues where it stopped.
+    """
+    from studio.orchestrator import Studio
+    from studio.progress import Terminal
+    from studio.teachers import read_teachers
+
+    try:
+        sizes = [int(size) for size in pairs]
+    except ValueError:
+        raise InputError(f"--pairs: {','.join(pairs)!r} are not whole numbers") from None
+    who = read_teachers(teachers, profiles, beta)
+    learned = Studio(out, Terminal()).learn(outcomes, who, learners, sizes, seeds)
+    _print_learned(learned)
 
 
 @main.command()
@@ -270,6 +351,23 @@ def _print_recorded(recorded: Recorded) -> None:
         click.echo(f"{action.name:<16}{f'{touched} of {tries}':>10} {values}")
     click.echo("* the action that this teacher would pick")
     for file in recorded.files:
+        click.echo(f"{file}  {_size(file)}")
+
+
+def _print_learned(learned: Learned) -> None:
+    from learners import learning_curves
+
+    curves = learning_curves(learned.table)
+    sizes = sorted({int(size) for curve in curves for size in curve.pairs})
+    click.echo("regret on held-out scenes, in % of a random action's, mean over seeds")
+    click.echo(f"{'teacher':<12}{'learner':<16}" + "".join(f"{size:>8}" for size in sizes))
+    for curve in curves:
+        means = "".join(f"{mean:>8.2f}" for mean in curve.mean)
+        click.echo(f"{curve.teacher:<12}{curve.learner:<16}{means}")
+    unsettled = sum(not converged for converged in learned.table["converged"].to_pylist())
+    if unsettled:
+        click.echo(f"{unsettled} of {learned.table.num_rows} fits did not converge")
+    for file in learned.files:
         click.echo(f"{file}  {_size(file)}")
 
 

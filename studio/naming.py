@@ -5,10 +5,23 @@ LONGEST_NAME = 22
 
 TEACHER_NAMES = {"eu": "EU", "tk": "T&K", "strong": "Strong"}
 
+LEARNER_NAMES = {
+    "eu": "EU",
+    "cpt": "CPT",
+    "cpt-tied": "CPT tied",
+    "cpt-reference": "CPT reference",
+    "cpt-tied-reference": "CPT tied reference",
+}
+
 
 def teacher_name(teacher: str) -> str:
     """What people call a teacher."""
     return TEACHER_NAMES.get(teacher, teacher)
+
+
+def learner_name(learner: str) -> str:
+    """What people call a learner."""
+    return LEARNER_NAMES.get(learner, learner)
 
 
 def short(name: str) -> str:

@@ -7,22 +7,40 @@ film does not wait for a video encoder.
 from __future__ import annotations
 
 import subprocess
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from studio.errors import InputError, RunError
-from studio.files import replacing, writable_folder
+from studio.files import replacing
 from studio.progress import Quiet
 from studio.sources import Source, find_scene
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import pyarrow as pa
+
+    from learners import Learner, Teacher
+    from learners.study import Study
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
     from studio.judgements import Judgement
 
-_COMPILING = "Compiling the engine: only on its first use, about a quarter of a minute ..."
+_COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
+
+
+@dataclass(frozen=True)
+class Learned:
+    """What came of a study.
+
+    Attributes:
+        table: one row a fit, see `learners.STUDY_SCHEMA`.
+        files: what was written: table, picture, recording.
+    """
+
+    table: pa.Table
+    files: tuple[Path, ...]
 
 
 @dataclass(frozen=True)
@@ -54,7 +72,7 @@ class Studio:
 
     def record(
         self,
-        scene: str | Source | Scene,
+        scene: str | Path | Source | Scene,
         seed: int = 0,
         *,
         png: bool = True,
@@ -77,23 +95,22 @@ class Studio:
         """
         from scenes import simulate, warm_up
 
-        if isinstance(scene, str):
-            scene = Source(scene, seed=seed)
+        if isinstance(scene, str | Path):
+            scene = Source(str(scene), seed=seed)
         if isinstance(scene, Source):
             scene = find_scene(scene)
-        with self.progress.waiting(_COMPILING):
-            warm_up(settings.get("engine", "batched"))
-        rollouts = simulate(scene, seed=seed, **settings)
-
-        from studio.judgements import judge
-
-        judgements = judge(rollouts)
-        folder = writable_folder(self.out, "--out")
         suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
-        files = tuple(folder / f"{scene.name}{suffix}" for suffix in suffixes)
-        with ExitStack() as stack:
-            for file in files:
-                self._write(stack.enter_context(replacing(file)), rollouts, judgements)
+        files = tuple(self.out / f"{scene.name}{suffix}" for suffix in suffixes)
+        with replacing(*files) as parts:
+            with self.progress.waiting(_COMPILING):
+                warm_up(settings.get("engine", "batched"))
+            rollouts = simulate(scene, seed=seed, **settings)
+
+            from studio.judgements import judge
+
+            judgements = judge(rollouts)
+            for part in parts:
+                self._write(part, rollouts, judgements)
         return Recorded(rollouts, judgements, files)
 
     def sample(self, path: str | Path, plan: BankPlan) -> Path:
@@ -107,17 +124,77 @@ class Studio:
         from scenes.bank import write_bank
 
         path = Path(path)
-        if path.is_dir():
-            raise InputError(f"--out: {path}: is a folder: the name of a file is needed")
-        with self.progress.waiting(_COMPILING):
-            warm_up(plan.engine)
-        writable_folder(path.parent, "--out")
-        with (
-            self.progress.steps("scenes") as done,
-            replacing(path) as part,
-        ):
-            write_bank(part, plan, done)
+        with replacing(path) as [part]:
+            with self.progress.waiting(_COMPILING):
+                warm_up(plan.engine)
+            with self.progress.steps("scenes") as done:
+                write_bank(part, plan, done)
         return path
+
+    def learn(
+        self,
+        outcomes: str | Path | None = None,
+        teachers: Sequence[Teacher | str] = ("eu", "tk", "strong"),
+        learners: Sequence[Learner | str] = ("eu", "cpt"),
+        pairs: Sequence[int] = (25, 50, 100, 200, 500, 1000, 2000),
+        seeds: int = 5,
+    ) -> Learned:
+        """Study how well learners recover what teachers want; write table, picture and recording.
+
+        A study that was interrupted continues where it stopped: what is finished is kept beside
+        the output until the whole is there.
+
+        Args:
+            outcomes: the outcome bank to study; left out, the default bank is sampled to
+                `outcomes.parquet` in the folder for output, or taken from there.
+            teachers: who prefers, or names of `learners.TEACHERS`.
+            learners: who learns, or names of `learners.LEARNERS`.
+            pairs: numbers of pairs to learn from.
+            seeds: how many repetitions.
+
+        Raises:
+            InputError: if the folder cannot be written to, or something cannot be studied
+                (`learners.InputError`, `scenes.InputError`).
+        """
+        from learners import find_learners, find_teachers, read_bank
+        from learners.study import Study
+
+        who = [find_teachers([t])[0] if isinstance(t, str) else t for t in teachers]
+        fitted = [find_learners([le])[0] if isinstance(le, str) else le for le in learners]
+        bank = Path(outcomes) if outcomes is not None else self._default_bank()
+        study = Study(read_bank(bank), tuple(who), tuple(fitted), tuple(pairs), seeds)
+        unfinished = self.out / ".learning.unfinished.parquet"
+        files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
+        with replacing(*files) as [parquet, png, rrd]:
+            table = self._study(study, unfinished)
+
+            from studio.painter.learning import write_learning_picture
+            from studio.recorder.learning import write_learning_recording
+
+            write_table(parquet, table)
+            write_learning_picture(png, table, study.teachers)
+            write_learning_recording(rrd, table, study.teachers, {"outcomes": bank.name})
+        unfinished.unlink(missing_ok=True)
+        return Learned(table, files)
+
+    def _study(self, study: Study, unfinished: Path) -> pa.Table:
+        """Run a study, keeping what is finished in a file."""
+        from learners.study import study_batches, whole_table
+
+        parts = finished_rows(study, unfinished)
+        with self.progress.steps("fits") as done:
+            for batch in study_batches(study, parts[0] if parts else None, progress=done):
+                parts.append(batch)
+                with replacing(unfinished) as [part]:
+                    write_table(part, whole_table(study, parts))
+        return whole_table(study, parts)
+
+    def _default_bank(self) -> Path:
+        """The default bank in the folder for output, sampled unless it is there already."""
+        from scenes.bank import BankPlan, is_bank_of
+
+        path, plan = self.out / "outcomes.parquet", BankPlan()
+        return path if is_bank_of(plan, path) else self.sample(path, plan)
 
     def view(self, path: str | Path) -> None:
         """Open a recording in the Rerun viewer, and wait until it is closed.
@@ -140,7 +217,7 @@ class Studio:
         if part.suffix == ".rrd":
             from studio.recorder.recording import write_recording
 
-            write_recording(part, rollouts, judgements, {})
+            write_recording(part, rollouts, judgements)
         elif part.suffix == ".png":
             from studio.painter.picture import write_png
 
@@ -150,6 +227,29 @@ class Studio:
 
             with self.progress.steps("film") as done:
                 write_film(part, rollouts, judgements, progress=done)
+
+
+def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:
+    """The rows that an interrupted run of this very study left behind."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    from learners import InputError as NotOfThisStudy
+    from learners.study import missing_tasks
+
+    try:
+        table = pq.read_table(unfinished)
+        missing_tasks(study, table)
+    except (OSError, pa.ArrowInvalid, NotOfThisStudy):
+        return []
+    return [table]
+
+
+def write_table(path: Path, table: pa.Table) -> None:
+    """Write a table as a Parquet file."""
+    import pyarrow.parquet as pq
+
+    pq.write_table(table, path, compression="zstd")
 
 
 def check_is_recording(path: Path) -> None:

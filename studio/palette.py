@@ -33,6 +33,22 @@ TEACHER_COLOURS: dict[str, Colour] = {
     "strong": (204, 102, 119),
 }
 
+LEARNER_COLOURS: dict[str, Colour] = {
+    "eu": (221, 139, 0),  # amber
+    "cpt": (0, 134, 120),  # teal
+    "cpt-tied": (64, 146, 222),  # azure
+    "cpt-reference": (122, 74, 160),  # violet
+    "cpt-tied-reference": (190, 80, 160),  # magenta
+}
+
+OTHER_LEARNERS: tuple[Colour, ...] = (
+    (121, 133, 30),  # olive
+    (136, 103, 53),  # brown
+    (46, 70, 90),  # slate
+    (0, 118, 158),  # cerulean
+)
+"""Colours of learners that a user adds, told by their names."""
+
 
 @dataclass(frozen=True)
 class Theme:
@@ -70,6 +86,13 @@ def action_colour(index: int) -> Colour:
 def teacher_colour(name: str) -> Colour:
     """The teacher's colour; that of text for one who has none."""
     return TEACHER_COLOURS.get(name, LIGHT.ink)
+
+
+def learner_colour(name: str) -> Colour:
+    """The learner's colour: always the same one for the same name."""
+    if name in LEARNER_COLOURS:
+        return LEARNER_COLOURS[name]
+    return OTHER_LEARNERS[sum(name.encode()) % len(OTHER_LEARNERS)]
 
 
 def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 import numpy as np
 
 from learners import REWARD
-from scenes import FEATURES, Rollouts, scene_to_toml
+from scenes import FEATURES, Noise, Rollouts, scene_to_toml
 from studio.judgements import Judgement
 from studio.naming import counted, number, teacher_name
 from studio.recorder import entities
@@ -38,7 +38,6 @@ def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
 def about_page(
     rollouts: Rollouts,
     judgements: tuple[Judgement, ...],
-    settings: Mapping[str, object],
     versions: Mapping[str, str],
 ) -> str:
     """Everything there is to know about a recording."""
@@ -60,12 +59,18 @@ def about_page(
     further = {
         **{f"noise: {name}": given for name, given in asdict(rollouts.noise).items()},
         **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
-        **settings,
         **{f"version: {name}": given for name, given in versions.items()},
     }
+    usual = asdict(Noise())
+    shaken = "".join(
+        f" --noise {name}={given!r}"
+        for name, given in asdict(rollouts.noise).items()
+        if given != usual[name]
+    )
     command = (
         f"studio record --scene {scene.name}.toml --seed {rollouts.seed} --rollouts {count} "
         f"--horizon {rollouts.horizon:g} --model {rollouts.model} --engine {rollouts.engine}"
+        f"{shaken}"
     )
     return "\n".join(
         [

@@ -23,6 +23,9 @@ OVERLAP = 1.6
 DOT_LENGTH = 1e-3
 """A line of no length is not drawn, so dots are lines of this length, in the figure's units."""
 
+DASH, DASH_GAP = 0.03, 0.02
+"""Lengths of a dash and of the gap after it, in units of the page."""
+
 
 @dataclass(frozen=True)
 class Drawing:
@@ -62,6 +65,15 @@ class Drawing:
         ends[1::2] = ends[1::2, ::-1]  # every other turn runs down
         self.stroke(np.stack([np.repeat(x, 2), ends.ravel()], axis=-1), colour, 2.0 * radius)
 
+    def dashes(self, points: FloatArray, colour: Colour, pixels: float = 1.4) -> None:
+        """Draw a dashed line through points [N, 2] of a page about as large as 1."""
+        along = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+        for start in np.arange(0.0, along[-1], DASH + DASH_GAP):
+            end = min(start + DASH, along[-1])
+            stops = np.unique([start, *along[(along > start) & (along < end)], end])
+            x, y = (np.interp(stops, along, points[:, axis]) for axis in (0, 1))
+            self.line(np.stack([x, y], axis=-1), colour, pixels)
+
     def dot(self, place: Sequence[float], colour: Colour, pixels: float) -> None:
         """Draw a disc so many pixels wide."""
         x, y = place
@@ -72,8 +84,18 @@ class Drawing:
         x, y = place
         self.texts.append((words, np.array([x, y + self.lift])))
 
-    def log(self, stream: rr.RecordingStream, path: str, draw_order: float | None = None) -> None:
-        """Add the drawing to a recording; what has a higher draw order lies above the rest."""
+    def log(
+        self,
+        stream: rr.RecordingStream,
+        path: str,
+        draw_order: float | None = None,
+        *,
+        static: bool = True,
+    ) -> None:
+        """Add the drawing to a recording; what has a higher draw order lies above the rest.
+
+        What is not static is there from the stream's time on, until it is drawn anew.
+        """
         # labels belong to the first lines; where there are fewer of them, the rest have none
         anchors = [np.stack([place, place]) for _, place in self.texts]
         lines = rr.LineStrips2D(
@@ -84,7 +106,7 @@ class Drawing:
             show_labels=True if self.texts else None,
             draw_order=draw_order,
         )
-        stream.log(path, lines, static=True)
+        stream.log(path, lines, static=static)
 
     def _add(self, points: ArrayLike, colour: Colour, radius: float) -> None:
         self.lines.append(np.asarray(points, dtype=np.float64))

@@ -6,18 +6,14 @@ editions.
 
 import hashlib
 import sys
-from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
 
 import rerun as rr
 import tomli_w
-from rerun.error_utils import catch_and_log_exceptions
 
 from scenes import Rollouts, scene_to_toml
-from studio.errors import RunError
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
 from studio.recorder import entities
@@ -32,6 +28,7 @@ from studio.recorder.log_outcomes import (
     log_outcomes,
 )
 from studio.recorder.log_world import log_action, log_scene
+from studio.recorder.stream import recording_to
 
 SCHEMA_VERSION = 1
 """Edition of the layout that `recordings/README.md` describes."""
@@ -39,56 +36,23 @@ SCHEMA_VERSION = 1
 PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce", "torch")
 """Packages whose versions a recording names."""
 
-Property = str | float | int | bool
 
-
-def write_recording(
-    path: Path,
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    properties: Mapping[str, Property],
-) -> None:
+def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
     """Write a recording of one scene under all its actions.
-
-    The file at `path` is whole when this returns. If it raises, the file is closed but may hold
-    anything, so write to a temporary name and move it into place.
 
     Args:
         path: the `.rrd` file to write.
         rollouts: what was simulated.
         judgements: what each teacher thinks of the actions.
-        properties: what else the recording shall say about itself, kept as its property
-            `settings`; what `rollouts` tells is written anyway.
 
     Raises:
-        RunError: if the file cannot be written.
+        OSError: if the file cannot be written.
     """
-    settings: dict[str, Any] = dict(properties)
-    stream = rr.RecordingStream(
-        entities.APPLICATION, recording_id=_identity(rollouts, settings), send_properties=False
-    )
-    stream.set_log_time_enabled(False)
-    try:
-        # Rerun drops what it cannot log and warns; a recording that lacks something must not pass
-        with catch_and_log_exceptions("write_recording", strict=True):
-            log_everything(stream, path, rollouts, judgements, settings)
-    except RuntimeError as error:  # how Rerun reports whatever goes wrong with a file
-        raise RunError(f"{path}: cannot be written: {str(error).splitlines()[0]}") from error
-
-
-def log_everything(
-    stream: rr.RecordingStream,
-    path: Path,
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    settings: dict[str, Any],
-) -> None:
-    """Send the stream to a file, log all there is, and close the file."""
     bounds = bounds_to_show(rollouts)
-    try:
-        stream.save(path, default_blueprint=recording_blueprint(rollouts, len(judgements), bounds))
-        versions = package_versions()
-        log_properties(stream, rollouts, settings, versions)
+    blueprint = recording_blueprint(rollouts, len(judgements), bounds)
+    versions = package_versions()
+    with recording_to(path, entities.APPLICATION, _identity(rollouts), blueprint) as stream:
+        log_properties(stream, rollouts, versions)
         log_ground(stream, entities.GROUND)
         log_scene(stream, rollouts, bounds)
         for index in range(len(rollouts.actions)):
@@ -99,15 +63,12 @@ def log_everything(
         log_judgements(stream, judgements)
         log_figures(stream, rollouts, judgements)
         log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
-        log_text(stream, entities.ABOUT, about_page(rollouts, judgements, settings, versions))
-    finally:
-        stream.disconnect()
+        log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
 
 
 def log_properties(
     stream: rr.RecordingStream,
     rollouts: Rollouts,
-    settings: dict[str, Any],
     versions: dict[str, str],
 ) -> None:
     """Name the recording and say what is needed to make it again."""
@@ -132,8 +93,6 @@ def log_properties(
             versions=tomli_w.dumps(versions),
         ),
     )
-    if settings:
-        stream.send_property("settings", rr.AnyValues(**settings))
 
 
 def log_figures(
@@ -159,7 +118,7 @@ def package_versions() -> dict[str, str]:
     return {"python": sys.version.split()[0], **versions}
 
 
-def _identity(rollouts: Rollouts, settings: dict[str, Any]) -> str:
+def _identity(rollouts: Rollouts) -> str:
     """An id that is the same for the same simulation: opened twice, it is one recording."""
     made_of = (
         scene_to_toml(rollouts.scene),
@@ -172,7 +131,6 @@ def _identity(rollouts: Rollouts, settings: dict[str, Any]) -> str:
         rollouts.wrap_angles,
         rollouts.dt,
         rollouts.robot.shape,
-        sorted(settings.items()),
     )
     digest = hashlib.sha256(repr(made_of).encode()).hexdigest()
     return f"{rollouts.scene.name}-{digest[:12]}"

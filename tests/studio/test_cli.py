@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pyarrow.parquet as pq
@@ -51,9 +52,10 @@ def test_pictures_and_films_can_be_left_out(tmp_path: Path) -> None:
 
 def test_a_printed_scene_can_be_edited_and_recorded(tmp_path: Path) -> None:
     printed = run("scenes", "doorway", "--seed", "3", "--pattern", "group_blocking")
-    assert scene_from_toml(printed.stdout) == load_scene("doorway", "group_blocking", seed=3)
+    scene = load_scene("doorway", "group_blocking", seed=3)
+    assert scene_from_toml(printed.stdout) == replace(scene, name="doorway-3-0")
     mine = tmp_path / "mine.toml"
-    mine.write_text(printed.stdout.replace('name = "doorway"', 'name = "mine"'))
+    mine.write_text(printed.stdout.replace('name = "doorway-3-0"', 'name = "mine"'))
     assert run("record", "--scene", mine, *QUICK, "--out", tmp_path).exit_code == 0
     assert (tmp_path / "mine.rrd").exists()
 
@@ -143,6 +145,8 @@ def test_sample_writes_the_bank(tmp_path: Path) -> None:
         ("record --scene open --noise goal=x", "--noise: 'goal=x' is not a setting"),
         ("record --scene open --noise goal=-1", "noise goal: -1.0 is not allowed"),
         ("record", "Missing option '--scene'"),
+        ("record --scene open --seed 99999999999999999999", "seed: 99999999999999999999 is not"),
+        ("record --scene " + "x" * 5000, "neither a family"),
         ("scenes garden", "garden"),
         ("sample --scenes 0", "scenes: 0 is not allowed"),
         ("sample --families garden", "garden"),
@@ -181,6 +185,16 @@ def test_tracks_with_a_column_missing_or_nobody_there_are_refused(tmp_path: Path
     assert not (tmp_path / "out").exists()
 
 
+def test_a_folder_where_a_file_should_go_is_refused_and_nothing_replaced(tmp_path: Path) -> None:
+    (tmp_path / "open.rrd").mkdir()
+    (tmp_path / "open.png").write_text("old")
+    result = run("record", "--scene", "open", "--rollouts", "1", "--out", tmp_path)
+    assert "open.rrd: is a folder" in only_line(result)
+    assert result.exit_code == 2
+    assert (tmp_path / "open.png").read_text() == "old"
+    assert len(list(tmp_path.iterdir())) == 2
+
+
 @pytest.mark.parametrize("command", ["record --scene open", "sample --scenes 1"])
 def test_an_output_place_that_cannot_be_is_refused(command: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine")
@@ -198,7 +212,8 @@ def test_a_film_is_not_a_recording(tmp_path: Path) -> None:
     assert result.exit_code == 2
 
 
-def test_interrupted_work_leaves_nothing_behind(tmp_path: Path) -> None:
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted_work_leaves_nothing_behind(how: signal.Signals, tmp_path: Path) -> None:
     out = tmp_path / "outcomes.parquet"
     out.write_text("an older bank")
     process = subprocess.Popen(
@@ -209,7 +224,8 @@ def test_interrupted_work_leaves_nothing_behind(tmp_path: Path) -> None:
     deadline = time.monotonic() + 60
     while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < deadline:
         time.sleep(0.05)  # until the temporary file is there
-    os.kill(process.pid, signal.SIGINT)
+    time.sleep(0.5)
+    os.kill(process.pid, how)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
     assert said.splitlines()[-1] == "studio: interrupted"

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import rerun as rr
+import rerun.blueprint as rrb
 from rerun.chunk import RrdReader
 
 from scenes import (
@@ -27,15 +28,14 @@ from scenes import (
     Wall,
     scene_from_toml,
 )
-from studio.errors import RunError
 from studio.judgements import Judgement, judge
 from studio.palette import CONTACT, action_colour
 from studio.recorder.log_outcomes import bin_edges
 from studio.recorder.recording import SCHEMA_VERSION, write_recording
+from studio.recorder.stream import recording_to
 
 REFERENCE = Path(__file__).parents[2] / "recordings" / "README.md"
 HALF_A_STEP = 1.0 / 256.0
-SETTINGS = {"command": "studio record --scene test", "threads": 2}
 
 
 def make_rollouts(
@@ -111,7 +111,7 @@ def rollouts() -> Rollouts:
 @pytest.fixture(scope="module")
 def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "test.rrd"
-    write_recording(path, rollouts, judge(rollouts), SETTINGS)
+    write_recording(path, rollouts, judge(rollouts))
     return path
 
 
@@ -229,8 +229,6 @@ def test_properties_suffice_to_make_it_again(recording: Path, rollouts: Rollouts
     actions = tomllib.loads(simulation["actions"])["actions"]
     assert tuple(MetaAction(**action) for action in actions) == rollouts.actions
     assert tomllib.loads(simulation["versions"])["rerun-sdk"] == rr.__version__
-    settings = entities["/__properties/settings"]
-    assert {name: rows[0][0] for name, rows in settings.items()} == SETTINGS
 
 
 def test_the_page_tells_the_command_and_links_to_the_actions(recording: Path) -> None:
@@ -252,13 +250,12 @@ def test_the_reference_names_every_entity_and_component(
     recording: Path, rollouts: Rollouts
 ) -> None:
     described: dict[str, set[str]] = defaultdict(set)
-    for row in REFERENCE.read_text(encoding="utf-8").splitlines():
+    text = REFERENCE.read_text(encoding="utf-8")
+    for row in text[: text.index("# What `learning.rrd` contains")].splitlines():
         cells = row.split(" | ")
         if not row.startswith("| `/"):
             continue
         path, components = cells[0].strip("| `"), set(re.findall(r"`([^`]+)`", cells[1]))
-        if cells[1].strip() == "any":
-            components = set(SETTINGS)
         timelines = set(re.findall(r"`([^`]+)`", cells[2]))
         for action in rollouts.actions:
             described[path.replace("{action}", action.name)] |= components | timelines
@@ -302,7 +299,7 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
 )
 def test_unusual_scenes_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
     path = tmp_path / "unusual.rrd"
-    write_recording(path, rollouts, judge(rollouts), {})
+    write_recording(path, rollouts, judge(rollouts))
     robots = [entity for entity in read(path) if entity.endswith("/robots")]
     assert len(robots) == len(rollouts.actions)
 
@@ -310,33 +307,31 @@ def test_unusual_scenes_can_be_written(rollouts: Rollouts, tmp_path: Path) -> No
 def test_size_stays_near_that_of_the_numbers(tmp_path: Path) -> None:
     rollouts = make_rollouts(actions=META_ACTIONS, rollouts=50, steps=40, people=8)
     path = tmp_path / "large.rrd"
-    write_recording(path, rollouts, judge(rollouts), SETTINGS)
+    write_recording(path, rollouts, judge(rollouts))
     numbers = rollouts.robot[..., :2].size + rollouts.pedestrians.size
     assert path.stat().st_size <= 1.2 * 4 * numbers
 
 
-def test_a_file_that_cannot_be_written_is_reported_in_one_line(
-    rollouts: Rollouts, tmp_path: Path
-) -> None:
-    path = tmp_path / "missing" / "test.rrd"
-    with pytest.raises(RunError, match="cannot be written") as caught:
-        write_recording(path, rollouts, judge(rollouts), {})
-    assert "\n" not in str(caught.value)
+def test_a_full_disk_is_an_error_and_not_a_file_cut_short(rollouts: Rollouts) -> None:
+    with pytest.raises(OSError, match="No space left"):
+        write_recording(Path("/dev/full"), rollouts, judge(rollouts))
 
 
-def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
-    rollouts: Rollouts, tmp_path: Path
-) -> None:
+def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(tmp_path: Path) -> None:
     rr.set_strict_mode(False)
-    settings: Any = {"unloggable": object()}
-    with pytest.raises(ValueError, match="arrow"):
-        write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts), settings)
+    path = tmp_path / "test.rrd"
+    with (
+        pytest.raises(ValueError, match="arrow"),
+        recording_to(path, "test", "test", rrb.Blueprint()) as stream,
+    ):
+        stream.log("thing", rr.AnyValues(unloggable=object()))
+    assert not path.exists()
 
 
 def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
     first = judge(rollouts)[0]
     own = Judgement("my aunt", first.parameters, first.values, first.best)
-    write_recording(tmp_path / "test.rrd", rollouts, (own,), {})
+    write_recording(tmp_path / "test.rrd", rollouts, (own,))
     assert "my aunt" in read(tmp_path / "test.rrd")["/judgements"]
 
 

@@ -1,0 +1,140 @@
+"""How a recording of a study looks when it opens: its tabs, views, and where its time stands."""
+
+import rerun.blueprint as rrb
+
+from learners import Teacher
+from studio.framing import Bounds
+from studio.naming import short, teacher_name
+from studio.recorder import learning_entities as entities
+from studio.recorder.blueprint import drawn_view, page_view
+from studio.recorder.learning_calibration import CALIBRATION, calibration_axes
+from studio.recorder.learning_curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
+from studio.recorder.learning_minds import (
+    GAIN_WEIGHTS,
+    LOSS_WEIGHTS,
+    PARAMETERS,
+    VALUES,
+    parameter_bounds,
+)
+from studio.recorder.learning_results import Results
+
+LENGTH = 12.0
+"""Played, the whole study takes so long, s."""
+
+
+def learning_blueprint(results: Results) -> rrb.Blueprint:
+    """The tabs: overview, one a teacher, calibration, about."""
+    return rrb.Blueprint(
+        rrb.Tabs(
+            overview_tab(results),
+            *(teacher_tab(results, teacher) for teacher in results.teachers),
+            calibration_tab(results),
+            page_view(entities.ABOUT, "About"),
+            active_tab=0,
+        ),
+        rrb.TimePanel(
+            state="collapsed",
+            timeline=entities.TIMELINE,
+            # the latest is the best that was learned; play begins anew from the first
+            play_state="following",
+            loop_mode="off",
+            fps=max(1.0, results.sizes[-1] / LENGTH),
+        ),
+        collapse_panels=True,
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def overview_tab(results: Results) -> rrb.Container:
+    """All teachers side by side: regret above, the weights of losses below; the summary beside."""
+    return rrb.Horizontal(
+        _beside_one_another(
+            [
+                rrb.Vertical(
+                    curve_view(results, teacher, REGRET),
+                    mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
+                )
+                for teacher in results.teachers
+            ]
+        ),
+        page_view(entities.SUMMARY, "Summary"),
+        column_shares=[2, 1],
+        name="Overview",
+    )
+
+
+def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
+    """One teacher: curves above, the minds below, numbers and parameters beside."""
+    return rrb.Horizontal(
+        rrb.Vertical(
+            rrb.Horizontal(
+                curve_view(results, teacher, REGRET),
+                curve_view(results, teacher, AGREEMENT),
+            ),
+            rrb.Horizontal(
+                mind_view(teacher, GAIN_WEIGHTS, "w(p) of gains"),
+                mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
+                mind_view(teacher, VALUES, "v over θ·φ/|θ|"),
+            ),
+        ),
+        rrb.Vertical(
+            page_view(entities.page(teacher.name), "Numbers"),
+            view(
+                teacher,
+                PARAMETERS,
+                parameter_bounds(results),
+                "θ/|θ| and parameters (dark mark: truth)",
+            ),
+            row_shares=[8, 10],
+        ),
+        column_shares=[2, 1],
+        name=short(teacher_name(teacher.name)),
+    )
+
+
+def calibration_tab(results: Results) -> rrb.Container:
+    """Predicted preferences on held-out scenes: calibration above, likelihood below."""
+    return _beside_one_another(
+        [
+            rrb.Vertical(
+                view(
+                    teacher,
+                    CALIBRATION,
+                    calibration_axes().bounds,
+                    f"{_name(teacher)}: choices over predictions",
+                ),
+                curve_view(results, teacher, LIKELIHOOD),
+                row_shares=[6, 5],
+            )
+            for teacher in results.teachers
+        ],
+        "Calibration",
+    )
+
+
+def curve_view(results: Results, teacher: Teacher, kind: CurveFigure) -> rrb.View:
+    """A learning curve."""
+    title = f"{_name(teacher)}: {kind.title}"
+    return view(teacher, kind.name, kind.axes(results).bounds, title)
+
+
+def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
+    """Learnt functions beside the teacher's."""
+    return view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
+
+
+def view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
+    """A drawn figure about what was learned from a teacher."""
+    return drawn_view([f"{entities.figure(teacher.name, name)}/**"], bounds, title)
+
+
+def _beside_one_another(columns: list[rrb.Container], name: str | None = None) -> rrb.Container:
+    """Columns side by side, in two rows if there are more than four."""
+    if len(columns) > 4:
+        return rrb.Grid(*columns, grid_columns=(len(columns) + 1) // 2, name=name)
+    return rrb.Horizontal(*columns, name=name)
+
+
+def _name(teacher: Teacher) -> str:
+    return f"{short(teacher_name(teacher.name))} teacher"

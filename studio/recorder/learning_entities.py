@@ -1,0 +1,49 @@
+"""What the things in a recording of a study are called: its application and its entity paths."""
+
+import rerun as rr
+
+APPLICATION = "prospect_studio_learning"
+"""Blueprints belong to an application, so each kind of recording is one of its own."""
+
+TIMELINE = "pairs"
+"""The one timeline: how many pairs were learned from."""
+
+GROUND = "ground"
+FIGURES = "figures"
+SUMMARY = "summary"
+ABOUT = "about"
+
+
+def page(teacher: str) -> str:
+    """The page that says what was learned from a teacher so far."""
+    return f"pages/{_part(teacher)}"
+
+
+def fits(teacher: str, learner: str) -> str:
+    """The numbers of every fit, one a seed."""
+    return f"fits/{_part(teacher)}/{_part(learner)}"
+
+
+def curves(teacher: str, learner: str) -> str:
+    """Means over seeds, with their spread."""
+    return f"curves/{_part(teacher)}/{_part(learner)}"
+
+
+def figure(teacher: str, name: str) -> str:
+    """A figure about what was learned from a teacher."""
+    return f"{FIGURES}/{_part(teacher)}/{name}"
+
+
+def moving(figure_path: str) -> str:
+    """What changes in a figure with the number of pairs."""
+    return f"{figure_path}/learnt"
+
+
+def truth(figure_path: str) -> str:
+    """What the teacher is like, above what was learnt."""
+    return f"{figure_path}/truth"
+
+
+def _part(name: str) -> str:
+    """A name as one part of an entity path, whatever characters it has."""
+    return rr.escape_entity_path_part(name)

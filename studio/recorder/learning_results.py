@@ -1,0 +1,132 @@
+"""The table of a study, sorted by who learned what from whom."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+
+from learners import CptParameters, Curve, Teacher, learning_curves
+from studio.judgements import FloatArray
+
+CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
+"""Columns of the five parameters, empty for learners of expected utility."""
+
+CURVE_COLUMNS = (
+    "regret_percent",
+    "regret",
+    "agreement",
+    "nll",
+    "nll_teacher",
+    "theta_cosine",
+    "theta_unit",
+    *CPT_COLUMNS,
+)
+"""Columns that are followed as means over seeds."""
+
+METADATA = b"prospect_study"
+"""Key of the table's metadata that says what was studied."""
+
+Runs = dict[str, list[Any]]
+"""Column to its values, one a seed."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """What came of a study.
+
+    Attributes:
+        table: one row a fit, see `learners.STUDY_SCHEMA`.
+        known: the teachers, of whom those without rows are left out.
+    """
+
+    table: pa.Table
+    known: Sequence[Teacher]
+
+    @cached_property
+    def teachers(self) -> tuple[Teacher, ...]:
+        """Who was learned from."""
+        names = set(self.table["teacher"].to_pylist())
+        return tuple(teacher for teacher in self.known if teacher.name in names)
+
+    @cached_property
+    def learners(self) -> tuple[str, ...]:
+        """Who learned, in the order of the table."""
+        return tuple(dict.fromkeys(self.table["learner"].to_pylist()))
+
+    @cached_property
+    def sizes(self) -> tuple[int, ...]:
+        """Numbers of pairs, ascending."""
+        return tuple(sorted(set(self.table["pairs"].to_pylist())))
+
+    @cached_property
+    def seeds(self) -> int:
+        """How many repetitions there are."""
+        return len(set(self.table["seed"].to_pylist()))
+
+    @cached_property
+    def study(self) -> dict[str, Any]:
+        """What the table says about the study as a whole; empty if nothing."""
+        told = (self.table.schema.metadata or {}).get(METADATA, b"{}")
+        study: dict[str, Any] = json.loads(told)
+        return study
+
+    def runs(self, teacher: Teacher, learner: str, pairs: int) -> Runs:
+        """The fits of one learner to one teacher, by seed; columns are empty if there are none."""
+        return self._runs.get((teacher.name, learner, pairs), {name: [] for name in self._columns})
+
+    def curve(self, column: str, teacher: Teacher, learner: str) -> Curve | None:
+        """How a column changes with the number of pairs; none if the learner has no such thing."""
+        return self._curves[column].get((teacher.name, learner))
+
+    @cached_property
+    def _columns(self) -> list[str]:
+        return list(self.table.column_names)
+
+    @cached_property
+    def _runs(self) -> dict[tuple[str, str, int], Runs]:
+        runs: dict[tuple[str, str, int], Runs] = {}
+        for row in sorted(self.table.to_pylist(), key=lambda row: int(row["seed"])):
+            key = (row["teacher"], row["learner"], row["pairs"])
+            columns = runs.setdefault(key, {name: [] for name in self._columns})
+            for name, given in row.items():
+                columns[name].append(given)
+        return runs
+
+    @cached_property
+    def _curves(self) -> dict[str, dict[tuple[str, str], Curve]]:
+        return {
+            column: {
+                (curve.teacher, curve.learner): curve
+                for curve in learning_curves(self.table, column)
+            }
+            for column in CURVE_COLUMNS
+        }
+
+
+def learnt_parameters(runs: Runs) -> list[CptParameters]:
+    """The parameters of each fit; all ones where there are none, which is expected utility."""
+    return [
+        CptParameters(*(1.0 if number is None else number for number in numbers))
+        for numbers in zip(*(runs[column] for column in CPT_COLUMNS), strict=True)
+    ]
+
+
+def true_parameters(teacher: Teacher) -> tuple[float, ...]:
+    """The teacher's parameters in the order of their columns."""
+    people = teacher.parameters
+    return people.alpha, people.eta, people.loss_aversion, people.gamma, people.delta
+
+
+def length(theta: Sequence[float]) -> float:
+    """Euclidean length of θ."""
+    return float(np.sqrt(np.sum(np.square(theta))))
+
+
+def unit(theta: Sequence[float]) -> FloatArray:
+    """θ/‖θ‖, or zeros if there is no direction."""
+    direction: FloatArray = np.array(theta) / (length(theta) or 1.0)
+    return direction

@@ -1,0 +1,34 @@
+"""Teachers as a person names them on the command line."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from learners import CptParameters, Teacher, find_teachers
+from studio.errors import InputError
+
+
+def read_teachers(
+    names: Iterable[str], profiles: Sequence[str], beta: float | None
+) -> tuple[Teacher, ...]:
+    """The teachers of these names, then those of one's own.
+
+    Args:
+        names: names of `learners.TEACHERS`.
+        profiles: teachers of one's own, written `NAME=α,η,λ,γ,δ`.
+        beta: how decided all of them are; left out, as decided as they are by themselves.
+
+    Raises:
+        InputError: if a profile cannot be read; `learners.InputError` if a name is unknown or a
+            number is not allowed.
+    """
+    teachers = [*find_teachers(tuple(names)), *map(_own, profiles)]
+    return tuple(teachers if beta is None else (replace(t, beta=beta) for t in teachers))
+
+
+def _own(profile: str) -> Teacher:
+    name, _, listed = profile.partition("=")
+    try:
+        alpha, eta, loss_aversion, gamma, delta = (float(part) for part in listed.split(","))
+    except ValueError:
+        raise InputError(f"--profile: {profile!r} is not a profile: NAME=α,η,λ,γ,δ") from None
+    return Teacher(name, CptParameters(alpha, eta, loss_aversion, gamma, delta))
