@@ -67,29 +67,35 @@ def value_slopes(
     log_size = 0.5 * np.log(smooth_square)
     less_one = np.where(is_gain, a.alpha - 1.0, a.eta - 1.0)
     power = np.exp(less_one * log_size)
-    power *= np.where(is_gain, 1.0, a.loss_aversion)
-    worth = x * power  # v(x)
-    steepness = power * (1.0 + less_one * square / smooth_square)  # v'(x)
+    worth = x * power  # v(x), but for the loss aversion, which goes with the weights
+    steepness = power * (1.0 + less_one * (square / smooth_square))
 
     of_gain, of_gain_slope = (ranks[::-1] for ranks in prelec_steps(outcomes, a.gamma))
-    of_loss, of_loss_slope = prelec_steps(outcomes, a.delta)
+    of_loss, of_loss_slope = (a.loss_aversion * r for r in prelec_steps(outcomes, a.delta))
     weights = np.where(is_gain, of_gain, of_loss)
     weighted = weights * worth
-    gains = np.where(is_gain, weighted, 0.0)
-    losses = weighted - gains
+    values = weighted.sum(axis=1)
+    of_curvature = np.where(is_gain, of_gain_slope, of_loss_slope) * worth
 
     pull = np.empty(count * outcomes)  # ∂V/∂u of each outcome, in the order of the features
     pull[places] = (weights * steepness).ravel()
     pull = pull.reshape(count, outcomes)
+
+    # what gains contribute; losses contribute the rest
+    gains = np.where(is_gain, weighted, 0.0)
+    by_alpha = np.einsum("pk,pk->p", gains, log_size)
+    by_eta = np.einsum("pk,pk->p", weighted, log_size) - by_alpha
+    by_gamma = np.where(is_gain, of_curvature, 0.0).sum(axis=1)
+    by_delta = of_curvature.sum(axis=1) - by_gamma
     by_parameters = (
-        a.alpha * (gains * log_size).sum(axis=1),
-        a.eta * (losses * log_size).sum(axis=1),
-        losses.sum(axis=1),
-        a.gamma * np.where(is_gain, of_gain_slope * worth, 0.0).sum(axis=1),
-        a.delta * np.where(is_gain, 0.0, of_loss_slope * worth).sum(axis=1),
+        a.alpha * by_alpha,
+        a.eta * by_eta,
+        values - gains.sum(axis=1),
+        a.gamma * by_gamma,
+        a.delta * by_delta,
     )
     return ValueSlopes(
-        values=weighted.sum(axis=1),
+        values=values,
         by_theta=np.einsum("pk,dpk->pd", pull, planes),
         by_reference=-pull.sum(axis=1),
         by_log_parameters=np.stack(by_parameters, axis=1),

@@ -1,0 +1,89 @@
+"""How well a model explains choices: the objective that learners minimise.
+
+It is the Bradley–Terry negative log-likelihood of the choices (Bradley and Terry, "Rank Analysis of
+Incomplete Block Designs", Biometrika 39, 1952) plus a weak normal prior,
+
+    f(z) = Σ ln(1 + exp(−β (V_preferred − V_other))) + ½ Σ ((z − mean) / deviation)²,
+
+in nats. The prior keeps the minimum finite where the choices do not, for example where a model can
+explain every one of them (separable choices).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+Model = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+"""From parameters z [M] to the values [P] of prospects and their slopes [P, M]."""
+
+
+LEAST_CURVATURE = 1e-12
+"""Share of its diagonal that is added to the Hessian, so that rounding cannot make it singular."""
+
+
+@dataclass(frozen=True)
+class Choices:
+    """N choices between prospects, and how decided they are.
+
+    Attributes:
+        preferred: [N], place of the preferred prospect among the P of the model.
+        other: [N], place of the other one.
+        beta: β, the inverse temperature.
+    """
+
+    preferred: NDArray[np.int64]
+    other: NDArray[np.int64]
+    beta: float
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Independent normal distributions that the parameters are thought to come from.
+
+    Attributes:
+        mean: [M].
+        deviation: [M], standard deviations.
+    """
+
+    mean: FloatArray
+    deviation: FloatArray
+
+
+@dataclass(frozen=True)
+class Survey:
+    """The objective around one place.
+
+    Attributes:
+        z: [M], the place.
+        objective: f(z), nats.
+        nll: the part of it that is due to the choices, nats.
+        gradient: [M], ∇f.
+        hessian: [M, M], the expected Hessian β² Σ p (1 − p) J Jᵀ + 1/deviation², where J is the
+            slope of a pair's difference of values. It is positive definite.
+    """
+
+    z: FloatArray
+    objective: float
+    nll: float
+    gradient: FloatArray
+    hessian: FloatArray
+
+
+def survey(model: Model, choices: Choices, prior: Prior, z: FloatArray) -> Survey:
+    """Evaluate the objective at a place."""
+    values, slopes = model(z)
+    margin = choices.beta * (values[choices.preferred] - values[choices.other])
+    nll = float(np.logaddexp(0.0, -margin).sum())
+    surprise = 0.5 - 0.5 * np.tanh(0.5 * margin)  # the probability of the other choice
+    slope = choices.beta * (slopes[choices.preferred] - slopes[choices.other])
+    away = (z - prior.mean) / prior.deviation
+    # sums rather than matrix products, whose rounding may depend on the number of processors
+    gradient = -(slope * surprise[:, None]).sum(axis=0) + away / prior.deviation
+    spread = np.sqrt(surprise * (1.0 - surprise))[:, None] * slope
+    hessian = np.einsum("ni,nj->ij", spread, spread) + np.diag(prior.deviation**-2.0)
+    hessian += LEAST_CURVATURE * np.diag(np.diagonal(hessian))
+    return Survey(z, nll + 0.5 * float((away**2).sum()), nll, gradient, hessian)

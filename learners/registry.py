@@ -1,0 +1,32 @@
+"""The learners that can be asked for by name."""
+
+from collections.abc import Iterable
+
+from learners.cpt import CptLearner
+from learners.errors import InputError
+from learners.eu import EuLearner
+from learners.fits import Learner
+
+LEARNERS: dict[str, Learner] = {
+    learner.name: learner
+    for learner in (
+        EuLearner(),
+        CptLearner(),
+        CptLearner(tied=True),
+        CptLearner(learns_reference=True),
+        CptLearner(tied=True, learns_reference=True),
+    )
+}
+
+
+def find_learners(names: Iterable[str]) -> tuple[Learner, ...]:
+    """The learners of these names.
+
+    Raises:
+        InputError: if one is unknown.
+    """
+    wanted = tuple(names)
+    for name in wanted:
+        if name not in LEARNERS:
+            raise InputError(f"learner {name!r} is not allowed: {', '.join(LEARNERS)}")
+    return tuple(LEARNERS[name] for name in wanted)

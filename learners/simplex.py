@@ -1,0 +1,59 @@
+"""A small quadratic programme: the best mixture of a few things."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+_TOLERANCE = 1e-10
+
+
+def lowest_mixture(quadratic: FloatArray, linear: FloatArray) -> FloatArray:
+    """Minimise ½ λ·Q λ + e·λ over mixtures, λ ≥ 0 and Σ λ = 1.
+
+    By active sets: the minimum among the things in use, leaving out what would have to be negative
+    and taking in what would help most, until nothing would (Nocedal and Wright, "Numerical
+    Optimization", 2006, section 16.5).
+
+    Args:
+        quadratic: [J, J], Q, positive semidefinite.
+        linear: [J], e.
+
+    Returns:
+        [J], λ.
+    """
+    count = len(linear)
+    # a touch of curvature, because more gradients than dimensions make Q singular
+    quadratic = quadratic + np.eye(count) * (1e-12 * np.trace(quadratic) / count + 1e-300)
+    used = [int(np.argmin(0.5 * np.diagonal(quadratic) + linear))]
+    mixture = np.zeros(count)
+    mixture[used] = 1.0
+    for _ in range(10 * count):
+        wanted, level = _stationary(quadratic[np.ix_(used, used)], linear[used])
+        too_low = wanted <= 0.0
+        if too_low.any():
+            now = mixture[used]
+            reach = np.where(too_low, now / np.where(too_low, now - wanted, 1.0), np.inf)
+            share = float(reach.min())
+            mixture[used] = np.maximum(now + share * (wanted - now), 0.0)
+            mixture[[place for place, r in zip(used, reach, strict=True) if r <= share]] = 0.0
+            used = [place for place, r in zip(used, reach, strict=True) if r > share]
+            continue
+        mixture[used] = wanted
+        slopes = quadratic @ mixture + linear
+        best = int(np.argmin(slopes))
+        if best in used or slopes[best] >= level - _TOLERANCE * abs(level):
+            break
+        used.append(best)
+    shares: FloatArray = mixture / mixture.sum()
+    return shares
+
+
+def _stationary(quadratic: FloatArray, linear: FloatArray) -> tuple[FloatArray, float]:
+    """The λ with Σ λ = 1 at which every slope of ½ λ·Q λ + e·λ is the same, and that slope."""
+    count = len(linear)
+    system = np.ones((count + 1, count + 1))
+    system[:count, :count] = quadratic
+    system[count, count] = 0.0
+    solution = np.linalg.solve(system, np.append(-linear, 1.0))
+    return solution[:count], -float(solution[count])
