@@ -27,7 +27,7 @@ HERO = Source("intersection", number=11)
 
 
 def main() -> None:
-    """Record the scene of the README, and show it three ways."""
+    """Record the scene of the README and show it three ways; run the default study."""
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         recording, picture, film = Studio(folder).record(HERO).files
@@ -37,6 +37,8 @@ def main() -> None:
             client.set_time("sim_time", duration=2.5, play_state="paused")
             time.sleep(4.0)  # until everything is loaded and drawn
             (PICTURES / "recording.png").write_bytes(client.take_screenshot())
+        _, curves, _ = Studio(folder).learn().files
+        shutil.copy(curves, PICTURES / "learning.png")
 
 
 def save_frame(film: Path, seconds: float, path: Path) -> None:
