@@ -36,11 +36,14 @@ STARTS = (
     CptParameters(alpha=0.7, eta=0.7, loss_aversion=3.5, gamma=0.4, delta=0.4),
 )
 """Where fits begin: two people, mild and extreme, none of the profiles. θ begins as the θ that best
-explains the choices by expected utility. Of the two minima found the lower one is kept; mostly they
-are the same, but with 100 or 200 choices one may be a few nats above the other."""
+explains the choices by expected utility. The minima that they lead to are mostly the same, but with
+100 or 200 choices one may be a few nats above the other."""
 
 ROUGHLY = 0.03
 """How near its minimum each start is followed, in nats, before the better one goes on alone."""
+
+MANY_CHOICES = 400
+"""From so many choices on the minima are all but the same, and only the first start is followed."""
 
 LONGEST_LOG_STEP = 0.5
 
@@ -114,7 +117,7 @@ class CptLearner:
             return minimise(model, choices, prior, start, longest_step, enough)
 
         heads = []
-        for mind in STARTS:
+        for mind in STARTS[: 1 if len(preferences) >= MANY_CHOICES else None]:
             logs = weights @ np.log(astuple(mind))
             heads.append(search(np.concatenate([theta, np.zeros(free_reference), logs]), ROUGHLY))
         found = search(min(heads, key=lambda head: head.objective).z, ENOUGH)

@@ -99,8 +99,7 @@ def minimise(
     bundle = [here]
     damping, failed, steps = FIRST_DAMPING, 0, 0
     while True:
-        bundle = [seen for seen in bundle if _distance(here, seen) <= FAR][-MOST_KEPT:]
-        gradients, errors = _carry_over(bundle, here)
+        bundle, gradients, errors = _carry_over(bundle[-MOST_KEPT:], here)
         damped = here.hessian + damping * np.diag(np.diagonal(here.hessian))
         step = _model_step(damped, gradients, errors)
         exhausted = steps == MOST_STEPS or damping > MOST_DAMPING
@@ -128,19 +127,18 @@ def minimise(
                 damping *= 2.0
 
 
-def _distance(here: Survey, seen: Survey) -> float:
-    away = here.z - seen.z
-    return 0.5 * float(away @ here.hessian @ away)
-
-
-def _carry_over(bundle: list[Survey], here: Survey) -> tuple[FloatArray, FloatArray]:
-    """Gradients [J, M] of the bundle as they would be here, and their errors [J]."""
+def _carry_over(bundle: list[Survey], here: Survey) -> tuple[list[Survey], FloatArray, FloatArray]:
+    """What of the bundle is near, its gradients [J, M] as they would be here, their errors [J]."""
     away = here.z - np.array([seen.z for seen in bundle])
     bend = away @ here.hessian
     distance = 0.5 * (bend * away).sum(axis=1)
+    near = np.flatnonzero(distance <= FAR)
+    bundle = [bundle[place] for place in near]
+    away, bend, distance = away[near], bend[near], distance[near]
     gradients = np.array([seen.gradient for seen in bundle])
     predicted = [seen.objective for seen in bundle] + (gradients * away).sum(axis=1) + distance
-    return gradients + bend, np.maximum(np.abs(here.objective - predicted), distance)
+    errors = np.maximum(np.abs(here.objective - predicted), distance)
+    return bundle, gradients + bend, errors
 
 
 def _model_step(hessian: FloatArray, gradients: FloatArray, errors: FloatArray) -> _Step:
