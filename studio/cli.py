@@ -364,6 +364,9 @@ def _print_learned(learned: Learned) -> None:
     for curve in curves:
         means = "".join(f"{mean:>8.2f}" for mean in curve.mean)
         click.echo(f"{curve.teacher:<12}{curve.learner:<16}{means}")
+    repeated = max(learned.table["repeated"].to_pylist())
+    if repeated:
+        click.echo(f"there are fewer pairs than wanted: up to {repeated} were asked again")
     unsettled = sum(not converged for converged in learned.table["converged"].to_pylist())
     if unsettled:
         click.echo(f"{unsettled} of {learned.table.num_rows} fits did not converge")
