@@ -210,6 +210,8 @@ def scenes(name: str | None, pattern: str | None, seed: int, number: int) -> Non
     from scenes import FAMILIES, busiest_frames, load_scene, scene_to_toml
     from studio.sources import is_file
 
+    if pattern is not None and name not in FAMILIES:
+        raise InputError("--pattern: goes with the NAME of a family")
     if name is None:
         _print_families()
     elif name not in FAMILIES and is_file(name):

@@ -148,6 +148,7 @@ def test_sample_writes_the_bank(tmp_path: Path) -> None:
         ("record --scene open --seed 99999999999999999999", "seed: 99999999999999999999 is not"),
         ("record --scene " + "x" * 5000, "neither a family"),
         ("scenes garden", "garden"),
+        ("scenes --pattern head_on", "--pattern: goes with the NAME of a family"),
         ("sample --scenes 0", "scenes: 0 is not allowed"),
         ("sample --families garden", "garden"),
         ("view none.rrd", "none.rrd: cannot be read: No such file"),
