@@ -113,9 +113,9 @@ def unit(x: float, y: float) -> tuple[float, float, float]:
 def relaxation(
     ex: float, ey: float, distance: float, speed: float, vx: float, vy: float, p: Extended
 ) -> Vector:
-    """Towards the desired velocity, or to a halt at the goal (Moussaïd et al. 2009, eq. 2.2).
+    """Towards the desired velocity, or to a halt at the goal.
 
-    (ex, ey) points to the goal at this distance.
+    The driving term of Moussaïd et al. 2009; (ex, ey) points to the goal at this distance.
     """
     pull = speed if distance > p.goal_threshold else 0.0
     return (pull * ex - vx) / p.relaxation_time, (pull * ey - vy) / p.relaxation_time
@@ -125,8 +125,9 @@ def relaxation(
 def _turn_and_brake(
     tx: float, ty: float, angle: float, distance: float, reach: float, p: Extended
 ) -> Vector:
-    """The two parts of the social force, along t and to its left (Moussaïd et al. 2009, eq. 2.5).
+    """The two parts of the social force, along t and to its left.
 
+    f_v = exp(-d/B - (n'Bθ)²) and f_θ = -sign(θ) exp(-d/B - (nBθ)²), Moussaïd et al. 2009.
     `reach` is B = γ‖D‖, m.
     """
     decay = distance / (reach if reach > 0.0 else 1e-30)
@@ -141,7 +142,9 @@ def _turn_and_brake(
 
 @lane
 def social(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
-    """Force from one other person (Moussaïd et al. 2009, eqs 2.3 to 2.5).
+    """Force from one other person (Moussaïd et al. 2009, the interaction law).
+
+    Along D = λ(v_i - v_j) + e_ij, with e_ij towards the other; as in pysocialforce, -D is computed.
 
     (rx, ry) is own position minus the other's; (wx, wy) the other's velocity minus one's own. The
     angle from the line between the two to the interaction vector D is taken in one piece, from
@@ -170,7 +173,7 @@ def social_as_in_library(rx: float, ry: float, wx: float, wy: float, p: Extended
 def wall_point(rx: float, ry: float, p: Extended) -> Vector:
     """Push of one point of a wall; (rx, ry) points from it to the person.
 
-    Decays exponentially (Moussaïd et al. 2009, section 2d). The caller sums over the points of a
+    Decays exponentially, as walls do in Moussaïd et al. 2009. The caller sums over the points of a
     wall, as pysocialforce does, and multiplies by exp(body radius/σ), which turns the decay with
     distance into one with the gap.
     """
@@ -183,7 +186,7 @@ def wall_point(rx: float, ry: float, p: Extended) -> Vector:
 
 @lane
 def coherence(cx: float, cy: float, size: float) -> Vector:
-    """Pull to the group's centre of mass, (cx, cy) away (Moussaïd et al. 2010, eq. 4).
+    """Pull to the group's centre of mass, (cx, cy) away (Moussaïd et al. 2010, attraction).
 
     Softened by a hyperbolic tangent around the distance (size - 1)/2, as in pedsim_ros.
     """
@@ -214,7 +217,7 @@ def repulsion(rx: float, ry: float, p: Extended) -> Vector:
 def gaze(ex: float, ey: float, goal_distance: float, cx: float, cy: float) -> Vector:
     """Walk so that the others, whose centre is (cx, cy) away, stay in view.
 
-    Slows who is ahead and speeds up who is behind (Moussaïd et al. 2010, eq. 3, in the form of
+    Slows who is ahead and speeds up who is behind (Moussaïd et al. 2010, vision, in the form of
     pedsim_ros).
     """
     ahead = ex * cx + ey * cy
