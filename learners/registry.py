@@ -19,14 +19,14 @@ LEARNERS: dict[str, Learner] = {
 }
 
 
-def find_learners(names: Iterable[str]) -> tuple[Learner, ...]:
-    """The learners of these names.
+def find_learners(names: Iterable[Learner | str]) -> tuple[Learner, ...]:
+    """The learners of these names; a learner in place of a name stands for itself.
 
     Raises:
         InputError: if one is unknown.
     """
     wanted = tuple(names)
     for name in wanted:
-        if name not in LEARNERS:
+        if isinstance(name, str) and name not in LEARNERS:
             raise InputError(f"learner {name!r} is not allowed: {', '.join(LEARNERS)}")
-    return tuple(LEARNERS[name] for name in wanted)
+    return tuple(LEARNERS[name] if isinstance(name, str) else name for name in wanted)

@@ -239,8 +239,8 @@ def run_study(
     """
     study = Study(
         prospects,
-        tuple(t if isinstance(t, Teacher) else find_teachers([t])[0] for t in teachers),
-        tuple(find_learners([le])[0] if isinstance(le, str) else le for le in learners),
+        find_teachers(teachers),
+        find_learners(learners),
         tuple(sizes),
         seeds,
         held_out,

@@ -91,14 +91,14 @@ TEACHERS: dict[str, Teacher] = {name: Teacher(name, people) for name, people in 
 """The three teachers of the study, see `PROFILES`."""
 
 
-def find_teachers(names: Iterable[str]) -> tuple[Teacher, ...]:
-    """The teachers of these names.
+def find_teachers(names: Iterable[Teacher | str]) -> tuple[Teacher, ...]:
+    """The teachers of these names; a teacher in place of a name stands for itself.
 
     Raises:
         InputError: if one is unknown.
     """
     wanted = tuple(names)
     for name in wanted:
-        if name not in TEACHERS:
+        if isinstance(name, str) and name not in TEACHERS:
             raise InputError(f"teacher {name!r} is not allowed: {', '.join(TEACHERS)}")
-    return tuple(TEACHERS[name] for name in wanted)
+    return tuple(TEACHERS[name] if isinstance(name, str) else name for name in wanted)

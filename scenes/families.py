@@ -16,7 +16,16 @@ import numpy as np
 
 from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.geometry import distance_to_segments
-from scenes.scene import LARGEST_NUMBER, MEAN_WALKING_SPEED, Pedestrian, Robot, Scene, Wall
+from scenes.scene import (
+    GOAL_DISTANCE,
+    LARGEST_NUMBER,
+    MEAN_WALKING_SPEED,
+    ROBOT_TASK,
+    Pedestrian,
+    Robot,
+    Scene,
+    Wall,
+)
 
 
 @dataclass(frozen=True)
@@ -76,9 +85,6 @@ _ROBOT_APART = 0.9
 _WALLS_APART = 0.8
 """Smallest distance between a person's start and a wall, m."""
 
-_FAR = 40.0
-"""How far away goals lie, m: further than anybody walks in ten seconds."""
-
 _SHOULDERS = (0.62, 0.75)
 """How far apart people who stand or walk side by side are, m."""
 
@@ -88,9 +94,6 @@ _SLOW = (0.4, 0.8)
 _STROLL = (0.9, 1.3)
 _FAST = (1.6, 1.9)
 """Desired speeds of people who walk as most do, stand, are slow, have company, or hurry, m/s."""
-
-_ROBOT_TASK = 8.0
-"""How far ahead the robot's goal lies, m."""
 
 _TRIES = 60
 """How often a place is sought for a party before it stays away."""
@@ -279,7 +282,7 @@ def _doorway(rng: np.random.Generator) -> _Place:
         Wall((-9.0, 3.0), (8.0, 3.0)),
         Wall((-9.0, -3.0), (8.0, -3.0)),
     )
-    robot = Robot(start, _beyond(start, door, _ROBOT_TASK))
+    robot = Robot(start, _beyond(start, door, ROBOT_TASK))
     return _Place(robot, walls, half_width=1.4, gate=gate)
 
 
@@ -289,7 +292,7 @@ def _open(rng: np.random.Generator) -> _Place:
 
 
 def _heading_along_x(start: tuple[float, float]) -> Robot:
-    return Robot(start, (start[0] + _ROBOT_TASK, start[1]))
+    return Robot(start, (start[0] + ROBOT_TASK, start[1]))
 
 
 _PLACES: Mapping[str, Callable[[np.random.Generator], _Place]] = {
@@ -385,8 +388,8 @@ def _goal(
     """A goal far away in a direction (rad), or behind the opening if that is on the way."""
     along = (math.cos(direction), math.sin(direction))
     if place.gate is None or start[0] * along[0] > 0:
-        return _beyond(start, (start[0] + along[0], start[1] + along[1]), _FAR)
-    return _beyond(start, (0.0, rng.uniform(-0.25, 0.25) * place.gate), _FAR)
+        return _beyond(start, (start[0] + along[0], start[1] + along[1]), GOAL_DISTANCE)
+    return _beyond(start, (0.0, rng.uniform(-0.25, 0.25) * place.gate), GOAL_DISTANCE)
 
 
 def _beyond(

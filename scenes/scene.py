@@ -29,6 +29,12 @@ MEAN_WALKING_SPEED = 1.34
 
 _SHORT_ARRAY = re.compile(r"\[\n\s*([^\[\]]+),\n\s*\]")
 _LINE_BREAK = re.compile(r",\n\s*")
+GOAL_DISTANCE = 40.0
+"""How far away people's goals lie where the studio chooses them, m: nobody walks there in 10 s."""
+
+ROBOT_TASK = 8.0
+"""Distance from the robot's start to its goal, where the studio chooses it, m."""
+
 LARGEST_NUMBER = 2**31 - 1
 """Largest number of a scene in a series."""
 

@@ -26,8 +26,10 @@ from pydantic import ValidationError
 from scenes.errors import InputError
 from scenes.geometry import FloatArray, distance_to_segments
 from scenes.scene import (
+    GOAL_DISTANCE,
     PEDESTRIAN_RADIUS,
     ROBOT_RADIUS,
+    ROBOT_TASK,
     SHORTEST_WALL,
     Pedestrian,
     Robot,
@@ -40,9 +42,6 @@ STANDING_SPEED = 0.2
 """Who is slower than this at the frame stands, m/s."""
 
 _COLUMNS = ("frame", "person", "x", "z", "y", "vx", "vz", "vy")
-
-_FAR = 40.0
-"""How far away goals lie, m: further than anybody walks in ten seconds."""
 
 _END_IS_NEAR = 1.0
 """A track that ends within this distance says nothing of where the person is headed, m."""
@@ -64,9 +63,6 @@ ANNOTATION_STEP = 0.4
 
 MOMENT = 4.0
 """Busy moments of a recording are named at least this far apart, s."""
-
-_ROBOT_TASK = 8.0
-"""Distance from the robot's start to its goal, where the studio chooses it, m."""
 
 _MARGIN = 1e-6
 """Who is moved to an allowed distance is moved this much further, against rounding, m."""
@@ -367,7 +363,7 @@ def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> P
     ahead = positions[-1] - start
     if np.hypot(*ahead) < _END_IS_NEAR:
         ahead = velocities[0]
-    goal = start + _FAR * ahead / np.hypot(*ahead)
+    goal = start + GOAL_DISTANCE * ahead / np.hypot(*ahead)
     try:
         return Pedestrian(
             start=place,
@@ -463,7 +459,7 @@ def _robot(
         tos = np.broadcast_to(target, froms.shape)
     headings = (tos - froms) / np.linalg.norm(tos - froms, axis=1)[:, None]
     best = int(np.argmax(_telling(froms, headings, starts, velocities, segments)))
-    onwards = np.round(froms[best] + _ROBOT_TASK * headings[best], 2)
+    onwards = np.round(froms[best] + ROBOT_TASK * headings[best], 2)
     return Robot(
         _position(froms[best]) if start is None else start,
         _position(onwards) if goal is None else goal,

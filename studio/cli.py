@@ -107,6 +107,15 @@ def _read_names(
 Command = Callable[..., None]
 
 
+_OUT_FOLDER = click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    default="recordings",
+    show_default=True,
+    help="Folder for the files.",
+)
+
+
 def _simulation_options(command: Command) -> Command:
     """The options that `record` and `sample` share."""
     options = [
@@ -159,13 +168,7 @@ def main() -> None:
 @click.option("--robot-start", type=Place(), help="Where the robot starts, for tracks.")
 @click.option("--robot-goal", type=Place(), help="Where the robot is headed, for tracks.")
 @_simulation_options
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    default="recordings",
-    show_default=True,
-    help="Folder for the files.",
-)
+@_OUT_FOLDER
 @click.option("--no-png", is_flag=True, help="Write no picture.")
 @click.option("--no-mp4", is_flag=True, help="Write no film.")
 def record(
@@ -283,13 +286,7 @@ def sample(out: Path, **plan: Any) -> None:
     help="Numbers of pairs to learn from.",
 )
 @click.option("--seeds", default=5, show_default=True, help="Repetitions.")
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    default="recordings",
-    show_default=True,
-    help="Folder for the files.",
-)
+@_OUT_FOLDER
 def learn(
     outcomes: Path | None,
     teachers: tuple[str, ...],

@@ -159,10 +159,9 @@ class Studio:
         from learners import find_learners, find_teachers, read_bank
         from learners.study import Study
 
-        who = [find_teachers([t])[0] if isinstance(t, str) else t for t in teachers]
-        fitted = [find_learners([le])[0] if isinstance(le, str) else le for le in learners]
+        who, fitted = find_teachers(teachers), find_learners(learners)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
-        study = Study(read_bank(bank), tuple(who), tuple(fitted), tuple(pairs), seeds)
+        study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / ".learning.unfinished.parquet"
         files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
         with replacing(*files) as [parquet, png, rrd]:

@@ -11,13 +11,14 @@ of the top left pixel. Pixels are red, green, blue.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import cast
 
 import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from studio.errors import InputError
+from studio.errors import InputError, RunError
 from studio.palette import Colour
 
 FloatArray = NDArray[np.float64]
@@ -225,21 +226,23 @@ class Canvas:
         ]
         self.polygon(np.concatenate([np.stack(arc, axis=-1) for arc in outline]), colour)
 
+    def save(self, path: Path) -> None:
+        """Write the canvas as a PNG file.
+
+        Raises:
+            RunError: if the file cannot be written.
+        """
+        _, encoded = cv2.imencode(".png", cv2.cvtColor(self.pixels, cv2.COLOR_RGB2BGR))
+        try:
+            path.write_bytes(encoded.tobytes())
+        except OSError as error:
+            raise RunError(f"{path}: cannot be written: {error.strerror}") from None
+
     def line(self, points: ArrayLike, colour: Colour, width: float = 1.0) -> None:
         """Draw through points [N, 2] with a pen of this width in px, at least one pixel."""
         cv2.polylines(
             self.pixels, [self._fixed(points)], False, colour, _pen(width), cv2.LINE_AA, _SHIFT
         )
-
-    def dashed(
-        self, start: Point, end: Point, colour: Colour, width: float = 1.0, dash: float = 6.0
-    ) -> None:
-        """Draw a straight line in dashes as long (px) as the gaps between them."""
-        between = np.subtract(end, start)
-        length = float(np.hypot(*between))
-        for at in np.arange(0.0, length, 2 * dash):
-            shares = np.array([[at], [min(at + dash, length)]]) / length
-            self.line(np.array(start) + shares * between, colour, width)
 
     def disc(self, centre: Point | FloatArray, radius: float, colour: Colour) -> None:
         """Draw a filled disc, radius in px."""

@@ -8,11 +8,9 @@ are predicted. A single teacher gets the page to himself, in two columns.
 from collections.abc import Sequence
 from pathlib import Path
 
-import cv2
 import pyarrow as pa
 
 from learners import Teacher
-from studio.errors import RunError
 from studio.naming import number, teacher_name
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
 from studio.painter.learning_minds import draw_calibration, draw_parameters, draw_shapes
@@ -57,12 +55,7 @@ def write_learning_picture(
         InputError: if the size is not allowed.
         RunError: if the file cannot be written.
     """
-    pixels = draw_learning_picture(table, teachers, size)
-    _, encoded = cv2.imencode(".png", cv2.cvtColor(pixels, cv2.COLOR_RGB2BGR))
-    try:
-        path.write_bytes(encoded.tobytes())
-    except OSError as error:
-        raise RunError(f"{path}: cannot be written: {error.strerror}") from None
+    compose_learning_picture(table, teachers, size).save(path)
 
 
 def compose_learning_picture(

@@ -8,10 +8,7 @@ to each teacher.
 from collections.abc import Sequence
 from pathlib import Path
 
-import cv2
-
 from scenes import Rollouts
-from studio.errors import RunError
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
@@ -55,12 +52,7 @@ def write_png(
         InputError: if the size is not allowed.
         RunError: if the file cannot be written.
     """
-    pixels = draw_picture(rollouts, judgements, size)
-    _, encoded = cv2.imencode(".png", cv2.cvtColor(pixels, cv2.COLOR_RGB2BGR))
-    try:
-        path.write_bytes(encoded.tobytes())
-    except OSError as error:
-        raise RunError(f"{path}: cannot be written: {error.strerror}") from None
+    compose_picture(rollouts, judgements, size).save(path)
 
 
 def compose_picture(

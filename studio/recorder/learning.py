@@ -140,7 +140,7 @@ def log_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> 
     stream.reset_time()
 
 
-_WHOLE = ("seed", "repeated", "steps", "iterations", "calibration_count")
+_WHOLE = ("seed", "repeated", "steps", "calibration_count")
 
 
 def _identity(results: Results, settings: dict[str, Any]) -> str:
