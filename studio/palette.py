@@ -1,11 +1,13 @@
 """One palette for recordings, pictures and films.
 
 The seven action colours are told apart with every common form of colour blindness (they build on
-Okabe and Ito, "Color universal design", 2008) and stand out from both a white and a near-black
-ground. Vermilion red is kept for contact and used for nothing else; people are grey.
+Okabe and Ito, "Color universal design", 2008). They, and those of teachers and learners, stand out
+from both a white and a near-black ground. Vermilion red is kept for contact and used for nothing
+else; people are grey.
 """
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 Colour = tuple[int, int, int]
 """Red, green, blue, each 0 to 255."""
@@ -19,17 +21,11 @@ ACTION_COLOURS: tuple[Colour, ...] = (
     (170, 68, 153),  # purple
     (136, 103, 53),  # brown
 )
-"""Colour of each action, in the order of the actions; a user's eighth action begins anew."""
-
-CONTACT: Colour = (213, 43, 30)
-"""Touching a pedestrian or a wall, and nothing else."""
-
-PEDESTRIAN: Colour = (120, 124, 130)
-WALL: Colour = (62, 66, 72)
+"""Colour of each action, in the order of a scene's actions; an eighth action begins anew."""
 
 TEACHER_COLOURS: dict[str, Colour] = {
-    "eu": (90, 90, 90),
-    "tk": (51, 34, 136),
+    "eu": (112, 112, 112),
+    "tk": (88, 76, 196),
     "strong": (204, 102, 119),
 }
 
@@ -44,7 +40,7 @@ LEARNER_COLOURS: dict[str, Colour] = {
 OTHER_LEARNERS: tuple[Colour, ...] = (
     (121, 133, 30),  # olive
     (136, 103, 53),  # brown
-    (46, 70, 90),  # slate
+    (84, 110, 135),  # slate
     (0, 118, 158),  # cerulean
 )
 """Colours of learners that a user adds, told by their names."""
@@ -52,7 +48,7 @@ OTHER_LEARNERS: tuple[Colour, ...] = (
 
 @dataclass(frozen=True)
 class Theme:
-    """The ground that things are drawn on.
+    """The ground that things are drawn on, and the colours that depend on it.
 
     Attributes:
         ground: the page.
@@ -60,6 +56,11 @@ class Theme:
         grid: grid lines.
         faint: minor text and axes.
         ink: text.
+        wall: walls.
+        pedestrian: people.
+        contact: touching a pedestrian or a wall, and nothing else.
+        actions: names of all actions of the scene in their order, which gives them their colours;
+            a drawing of only some of them shows these in the same colours.
     """
 
     ground: Colour
@@ -67,6 +68,29 @@ class Theme:
     grid: Colour
     faint: Colour
     ink: Colour
+    wall: Colour
+    pedestrian: Colour
+    contact: Colour
+    actions: tuple[str, ...] = ()
+
+    def of(self, actions: Iterable[str]) -> "Theme":
+        """The theme with colours for the actions of these names, unless it has them already."""
+        names = tuple(actions)
+        return self if set(names) <= set(self.actions) else replace(self, actions=names)
+
+    def action_colour(self, name: str) -> Colour:
+        """The colour of the action of this name."""
+        return ACTION_COLOURS[self.actions.index(name) % len(ACTION_COLOURS)]
+
+    def legible(self, colour: Colour) -> Colour:
+        """The colour, shifted towards the ink just so far that small type in it can be read.
+
+        That takes a contrast of 4.5 to 1 with the ground ("Web Content Accessibility Guidelines").
+        """
+        while contrast(colour, self.ground) < 4.5:
+            darkened = blend(colour, self.ink, 0.95)
+            colour = darkened if darkened != colour else self.ink
+        return colour
 
 
 LIGHT = Theme(
@@ -75,17 +99,28 @@ LIGHT = Theme(
     grid=(230, 231, 234),
     faint=(112, 116, 122),
     ink=(32, 35, 40),
+    wall=(62, 66, 72),
+    pedestrian=(120, 124, 130),
+    contact=(213, 43, 30),
 )
 
+DARK = Theme(
+    ground=(18, 20, 24),
+    panel=(25, 28, 33),
+    grid=(45, 49, 56),
+    faint=(150, 155, 163),
+    ink=(234, 236, 240),
+    wall=(176, 181, 189),
+    pedestrian=(138, 143, 151),
+    contact=(240, 72, 56),
+)
 
-def action_colour(index: int) -> Colour:
-    """The colour of the action at this place in the list of actions."""
-    return ACTION_COLOURS[index % len(ACTION_COLOURS)]
+THEMES = {"light": LIGHT, "dark": DARK}
 
 
 def teacher_colour(name: str) -> Colour:
-    """The teacher's colour; that of text for one who has none."""
-    return TEACHER_COLOURS.get(name, LIGHT.ink)
+    """The teacher's colour; a quiet one for one who has none."""
+    return TEACHER_COLOURS.get(name, OTHER_LEARNERS[-2])
 
 
 def learner_colour(name: str) -> Colour:
@@ -104,15 +139,14 @@ def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
     return red, green, blue
 
 
-def legible(colour: Colour) -> Colour:
-    """The colour darkened just so far that small type in it can be read on white (4.5 to 1)."""
-    while _luminance(colour) > 0.183:
-        colour = blend(colour, (0, 0, 0), 0.95)
-    return colour
+def contrast(one: Colour, other: Colour) -> float:
+    """Contrast of two colours, 1 (none) to 21 ("Web Content Accessibility Guidelines" 2)."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
 
 
 def _luminance(colour: Colour) -> float:
-    """Relative luminance (WCAG 2), 0 to 1."""
+    """Relative luminance, 0 to 1."""
     red, green, blue = (
         share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
         for share in (channel / 255.0 for channel in colour)

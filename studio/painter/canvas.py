@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from studio.errors import InputError, RunError
-from studio.palette import Colour
+from studio.palette import Colour, Theme
 
 FloatArray = NDArray[np.float64]
 PixelArray = NDArray[np.uint8]
@@ -133,10 +133,11 @@ class Canvas:
     Args:
         width: px, 640 to 8192.
         height: px, 360 to 8192.
-        ground: colour of the empty page.
+        theme: the ground and the colours that go with it.
 
     Attributes:
         pixels: [height, width, 3] uint8, red, green, blue.
+        theme: the ground and the colours that go with it.
         unit: px per unit of the 1600x900 reference page.
         type: sizes of type.
         texts: every text placed so far, in order.
@@ -145,7 +146,7 @@ class Canvas:
         InputError: if the size is not allowed.
     """
 
-    def __init__(self, width: int, height: int, ground: Colour) -> None:
+    def __init__(self, width: int, height: int, theme: Theme) -> None:
         if not (
             SMALLEST_WIDTH <= width <= LARGEST_SIDE and SMALLEST_HEIGHT <= height <= LARGEST_SIDE
         ):
@@ -154,7 +155,8 @@ class Canvas:
                 f"{SMALLEST_WIDTH}x{SMALLEST_HEIGHT} and at most {LARGEST_SIDE}x{LARGEST_SIDE}"
             )
         self.pixels: PixelArray = np.empty((height, width, 3), np.uint8)
-        self.pixels[:] = ground
+        self.pixels[:] = theme.ground
+        self.theme = theme
         self.unit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
         self.type = TypeScale(
             *(max(_SMALLEST_TYPE, round(size * self.unit)) for size in (16, 18, 20, 34))

@@ -23,7 +23,7 @@ from studio.painter.labels import draw_labels
 from studio.painter.picture import compose_picture
 from studio.painter.stage import draw_goal, draw_ground, draw_scale_bar, draw_walls, goal_label
 from studio.painter.titles import display_name, subtitles, titles
-from studio.palette import CONTACT, LIGHT, Colour, action_colour, legible
+from studio.palette import LIGHT, Colour, Theme
 
 LONGEST_ACTION = 2.0
 """Playing one action takes no longer than this, s."""
@@ -44,6 +44,7 @@ def write_film(
     judgements: Sequence[Judgement],
     size: tuple[int, int] = (1280, 720),
     frames_per_second: int = 30,
+    theme: Theme = LIGHT,
     progress: Progress | None = None,
 ) -> None:
     """Write the film of a scene as an MP4 file (H.264).
@@ -56,6 +57,7 @@ def write_film(
         judgements: the teachers' values of these actions.
         size: width and height, px; even.
         frames_per_second: whole.
+        theme: of the page.
         progress: told after every frame how many of how many are done; called from other threads,
             by one at a time.
 
@@ -64,7 +66,7 @@ def write_film(
         RunError: if the file cannot be written.
     """
     check_film_size(size)
-    film = compose_film(rollouts, judgements, size, frames_per_second)
+    film = compose_film(rollouts, judgements, size, frames_per_second, theme)
     write_mp4(path, film, size, frames_per_second, progress)
 
 
@@ -73,12 +75,13 @@ def compose_film(
     judgements: Sequence[Judgement],
     size: tuple[int, int],
     frames_per_second: int,
+    theme: Theme = LIGHT,
 ) -> list[Segment]:
     """The film as segments: one an action, and the closing picture.
 
     Arguments and errors as for `write_film`.
     """
-    page = lay_out(rollouts, size)
+    page = lay_out(rollouts, size, theme)
     times = frame_times(rollouts.horizon, frames_per_second)
     segments = []
     for index in range(len(rollouts.actions)):
@@ -90,7 +93,7 @@ def compose_film(
     held = round(ENDING * frames_per_second)
 
     def ending() -> Iterator[PixelArray]:
-        picture = compose_picture(rollouts, judgements, size).pixels
+        picture = compose_picture(rollouts, judgements, size, theme).pixels
         return (picture for _ in range(held))
 
     return [*segments, Segment(held, ending)]
@@ -133,18 +136,20 @@ class Page:
     strip: tuple[Box, ...]
 
 
-def lay_out(rollouts: Rollouts, size: tuple[int, int]) -> Page:
+def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
     """Draw what all frames share; arguments and errors as for `write_film`."""
-    canvas = Canvas(*size, LIGHT.ground)
+    canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
     kind, unit = canvas.type, canvas.unit
     page = canvas.box.inset(_MARGIN * unit)
     title = canvas.fitted(titles(rollouts), page.width, kind.heading, SEMIBOLD)
     written = canvas.text(
-        (page.left, page.top), title, kind.heading, LIGHT.ink, SEMIBOLD, line="top"
+        (page.left, page.top), title, kind.heading, canvas.theme.ink, SEMIBOLD, line="top"
     )
     left = written.right + kind.heading
     subtitle = canvas.fitted(subtitles(rollouts), page.right - left, kind.body)
-    canvas.text((page.right, written.centre[1]), subtitle, kind.body, LIGHT.faint, anchor="right")
+    canvas.text(
+        (page.right, written.centre[1]), subtitle, kind.body, canvas.theme.faint, anchor="right"
+    )
     strip_height, clock_height = 2.9 * kind.body, 1.8 * kind.body
     top = written.bottom + 14 * unit
     strip = Box(page.left, page.bottom - strip_height, page.right, page.bottom)
@@ -157,7 +162,7 @@ def lay_out(rollouts: Rollouts, size: tuple[int, int]) -> Page:
     draw_walls(inside, view, rollouts.scene)
     goal = draw_goal(inside, view, rollouts.scene.robot.goal)
     label = goal_label(canvas, goal, (1.0, 0.0))
-    draw_labels(inside, [label], panel.inset(4 * unit), LIGHT.panel)
+    draw_labels(inside, [label], panel.inset(4 * unit), canvas.theme.panel)
     clock = Box(scene.left, panel.bottom, scene.right, scene.bottom)
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
@@ -206,7 +211,7 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
         (box.left, box.centre[1]),
         f"{time:.1f} s of {rollouts.horizon:g} s",
         canvas.type.body,
-        LIGHT.ink,
+        canvas.theme.ink,
         SEMIBOLD,
     )
     speed = f"{play_speed(rollouts.horizon):g}× real time"
@@ -219,7 +224,7 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
     ]
     left = max(left, clock.right + size)
     text = canvas.fitted(texts, 0.8 * box.width - (left - box.left), size)
-    canvas.text((left, box.centre[1]), text, size, LIGHT.faint)
+    canvas.text((left, box.centre[1]), text, size, canvas.theme.faint)
 
 
 class _Strip:
@@ -228,15 +233,15 @@ class _Strip:
     def __init__(
         self, canvas: Canvas, cells: Sequence[Box], rollouts: Rollouts, index: int
     ) -> None:
-        self._canvas, self._cell, self._colour = canvas, cells[index], action_colour(index)
+        colours = [canvas.theme.action_colour(action.name) for action in rollouts.actions]
+        self._canvas, self._cell, self._colour = canvas, cells[index], colours[index]
         kind, count = canvas.type, rollouts.robot.shape[1]
-        for action, cell in enumerate(cells):
-            colour = action_colour(action)
-            self._draw_bar(cell, LIGHT.grid, 1.0)
+        for action, (cell, colour) in enumerate(zip(cells, colours, strict=True)):
+            self._draw_bar(cell, canvas.theme.grid, 1.0)
             if action < index:
                 self._draw_bar(cell, colour, 1.0)
             name = display_name(rollouts.actions[action].name)
-            ink = legible(colour) if action <= index else LIGHT.faint
+            ink = canvas.theme.legible(colour) if action <= index else canvas.theme.faint
             canvas.text(
                 (cell.left, cell.top + 1.2 * kind.body),
                 canvas.fitted(name, cell.width, kind.body, SEMIBOLD),
@@ -251,7 +256,7 @@ class _Strip:
                     (cell.left, cell.top + 2.4 * kind.body),
                     canvas.fitted(told, cell.width, kind.small),
                     kind.small,
-                    CONTACT if touched else LIGHT.faint,
+                    canvas.theme.contact if touched else canvas.theme.faint,
                 )
 
     def draw(self, share: float) -> None:

@@ -11,7 +11,7 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.painter.canvas import Canvas, FloatArray, PixelArray, View, disc_coverage, tinted
 from studio.painter.stage import draw_groups, draw_people, draw_robot, overlap_opacity
-from studio.palette import CONTACT, PEDESTRIAN, Colour, action_colour
+from studio.palette import Colour
 
 _TOLD_IN_FULL = 0  # the rollout that is drawn in full
 
@@ -29,7 +29,7 @@ class Crowd:
 
     def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, index: int) -> None:
         self._canvas, self._view, self._scene = canvas, view, rollouts.scene
-        self._colour = action_colour(index)
+        self._colour = canvas.theme.action_colour(rollouts.actions[index].name)
         self._poses = rollouts.robot[index]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[index]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[index]
@@ -58,12 +58,12 @@ class Crowd:
         ghosts = np.arange(len(poses)) != _TOLD_IN_FULL
         touched = (self._contact_step >= 0) & (self._contact_step <= step)
         crowd = view.to_pixels(people[ghosts]).reshape(-1, 2) - self._corner
-        self._ghost_people.draw(canvas.pixels, crowd, PEDESTRIAN)
+        self._ghost_people.draw(canvas.pixels, crowd, canvas.theme.pedestrian)
         self._ghost_robots.draw(canvas.pixels, places[ghosts & ~touched], self._colour)
-        self._ghosts_in_contact.draw(canvas.pixels, places[ghosts & touched], CONTACT)
+        self._ghosts_in_contact.draw(canvas.pixels, places[ghosts & touched], canvas.theme.contact)
         draw_groups(canvas, view, self._scene, people[_TOLD_IN_FULL])
         draw_people(canvas, view, people[_TOLD_IN_FULL])
-        colour = CONTACT if touched[_TOLD_IN_FULL] else self._colour
+        colour = canvas.theme.contact if touched[_TOLD_IN_FULL] else self._colour
         draw_robot(canvas, view, poses[_TOLD_IN_FULL], colour)
 
 

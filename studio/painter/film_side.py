@@ -17,7 +17,7 @@ from studio.painter.plots import (
     ticks,
 )
 from studio.painter.titles import display_name
-from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible
+from studio.palette import Colour, blend
 
 _BINS = 24
 
@@ -26,12 +26,20 @@ class Side:
     """The column beside the scene: what this action has led to so far."""
 
     def __init__(self, canvas: Canvas, box: Box, rollouts: Rollouts, index: int) -> None:
-        self._canvas, self._colour = canvas, action_colour(index)
+        self._canvas, self._colour = (
+            canvas,
+            canvas.theme.action_colour(rollouts.actions[index].name),
+        )
         self._contact_step = rollouts.contact_step[index]
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         name = canvas.fitted(display_name(action.name), box.width, kind.title, SEMIBOLD)
         title = canvas.text(
-            (box.left, box.top), name, kind.title, legible(self._colour), SEMIBOLD, line="top"
+            (box.left, box.top),
+            name,
+            kind.title,
+            canvas.theme.legible(self._colour),
+            SEMIBOLD,
+            line="top",
         )
         command = [
             f"{number(action.speed)} m/s, turning {number(action.turn_rate)} rad/s",
@@ -41,7 +49,7 @@ class Side:
             (box.left, title.bottom + 4 * unit),
             canvas.fitted(command, box.width, kind.body),
             kind.body,
-            LIGHT.faint,
+            canvas.theme.faint,
             line="top",
         )
         rest = Box(box.left, below.bottom + 18 * unit, box.right, box.bottom)
@@ -70,13 +78,13 @@ class Side:
                 SEMIBOLD,
             ),
             kind.title,
-            CONTACT if touched else LIGHT.faint,
+            canvas.theme.contact if touched else canvas.theme.faint,
             SEMIBOLD,
             line="top",
         )
         if touched != self._touched:
             canvas.restore(still, self._icons)
-            faint = blend(self._colour, LIGHT.ground, 0.45)
+            faint = blend(self._colour, canvas.theme.ground, 0.45)
             draw_icons(canvas, self._icons, touched, count, faint)
             self._touched = touched
         for plot in self._plots:
@@ -118,7 +126,7 @@ class _Running:
                 [title, title.replace(" to a person", "")], box.width, kind.body, SEMIBOLD
             ),
             kind.body,
-            LIGHT.ink,
+            canvas.theme.ink,
             SEMIBOLD,
             line="top",
         )
@@ -126,7 +134,7 @@ class _Running:
         self._axis = Axis(low, high, box.left, box.right)
         self._plot = Box(box.left, box.top + 1.4 * kind.body, box.right, floor)
         self._values, self._edges = values, np.linspace(low, high, _BINS + 1)
-        canvas.fill(Box(box.left, floor, box.right, floor + canvas.hair), LIGHT.grid)
+        canvas.fill(Box(box.left, floor, box.right, floor + canvas.hair), canvas.theme.grid)
         draw_ticks(canvas, self._axis, floor + 8 * unit, ticks(low, high, 4))
 
     def draw(

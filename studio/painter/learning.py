@@ -18,7 +18,7 @@ from studio.painter.learning_plots import wrapped
 from studio.painter.learning_progress import draw_agreement, draw_regret
 from studio.painter.learning_results import PARAMETERS, Results, numbers_of
 from studio.painter.learning_scales import Scales
-from studio.palette import LIGHT, legible, teacher_colour
+from studio.palette import LIGHT, Theme, teacher_colour
 
 SIZE = (1600, 1000)
 
@@ -28,7 +28,10 @@ _WIDE = 1.2  # a page for one teacher that is so many times as wide as high gets
 
 
 def draw_learning_picture(
-    table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE
+    table: pa.Table,
+    teachers: Sequence[Teacher],
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> PixelArray:
     """Draw the picture of a study.
 
@@ -36,6 +39,7 @@ def draw_learning_picture(
         table: one row a fit, see `learners.run_study`; it may be incomplete.
         teachers: who were learned from; of more than four, the first four are shown.
         size: width and height, px.
+        theme: of the page.
 
     Returns:
         [height, width, 3], red, green, blue.
@@ -43,11 +47,15 @@ def draw_learning_picture(
     Raises:
         InputError: if the size is not allowed.
     """
-    return compose_learning_picture(table, teachers, size).pixels
+    return compose_learning_picture(table, teachers, size, theme).pixels
 
 
 def write_learning_picture(
-    path: Path, table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE
+    path: Path,
+    table: pa.Table,
+    teachers: Sequence[Teacher],
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> None:
     """Write the picture of a study as a PNG file; see `draw_learning_picture`.
 
@@ -55,17 +63,20 @@ def write_learning_picture(
         InputError: if the size is not allowed.
         RunError: if the file cannot be written.
     """
-    compose_learning_picture(table, teachers, size).save(path)
+    compose_learning_picture(table, teachers, size, theme).save(path)
 
 
 def compose_learning_picture(
-    table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE
+    table: pa.Table,
+    teachers: Sequence[Teacher],
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> Canvas:
     """Draw the picture of a study and keep the canvas, which knows where its texts are.
 
     Arguments and errors as for `draw_learning_picture`.
     """
-    canvas = Canvas(*size, LIGHT.ground)
+    canvas = Canvas(*size, theme)
     results = Results.of(table, teachers)
     unit, page = canvas.unit, canvas.box.inset(_MARGIN * canvas.unit)
     top = _draw_title(canvas, page, results) + 16 * unit
@@ -86,10 +97,12 @@ def _draw_title(canvas: Canvas, page: Box, results: Results) -> float:
     """
     kind = canvas.type
     title = canvas.fitted(results.titles(), page.width, kind.title, SEMIBOLD)
-    box = canvas.text((page.left, page.top), title, kind.title, LIGHT.ink, SEMIBOLD, line="top")
+    box = canvas.text(
+        (page.left, page.top), title, kind.title, canvas.theme.ink, SEMIBOLD, line="top"
+    )
     subtitle = canvas.fitted(results.subtitles(), page.width, kind.body)
     at = (page.left, box.bottom + 4 * canvas.unit)
-    return canvas.text(at, subtitle, kind.body, LIGHT.faint, line="top").bottom
+    return canvas.text(at, subtitle, kind.body, canvas.theme.faint, line="top").bottom
 
 
 def _draw_notes(canvas: Canvas, page: Box, results: Results) -> float:
@@ -102,7 +115,7 @@ def _draw_notes(canvas: Canvas, page: Box, results: Results) -> float:
     bottom = page.bottom
     for line in reversed(wrapped(canvas, results.notes(), page.width, size)):
         at = (page.left, bottom)
-        bottom = canvas.text(at, line, size, LIGHT.faint, line="bottom").top - 0.25 * size
+        bottom = canvas.text(at, line, size, canvas.theme.faint, line="bottom").top - 0.25 * size
     return bottom
 
 
@@ -136,7 +149,7 @@ def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> 
         Where the head ends, px from the top.
     """
     kind, unit = canvas.type, canvas.unit
-    colour = legible(teacher_colour(teacher.name))
+    colour = canvas.theme.legible(teacher_colour(teacher.name))
     canvas.fill(Box(box.left, box.top, box.right, box.top + max(2.0, 3 * unit)), colour)
     name = teacher_name(teacher.name)
     title = canvas.fitted([f"Teacher: {name}", name], box.width, kind.heading, SEMIBOLD)
@@ -146,11 +159,11 @@ def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> 
     said = "  ".join(f"{letter} {number(value, '.3g')}" for letter, value in given)
     if canvas.measure(said, kind.small) <= box.right - written.right - 14 * unit:
         at = (box.right, written.centre[1])
-        canvas.text(at, said, kind.small, LIGHT.faint, anchor="right")
+        canvas.text(at, said, kind.small, canvas.theme.faint, anchor="right")
     verdicts = results.verdicts(teacher.name)
     if not verdicts:
         # one column may have no verdict yet where the others do
         return written.bottom + 1.3 * kind.small * (len(results.learners) > 1)
     verdict = canvas.fitted(verdicts, box.width, kind.small)
     at = (box.left, written.bottom + 2 * unit)
-    return canvas.text(at, verdict, kind.small, LIGHT.ink, line="top").bottom
+    return canvas.text(at, verdict, kind.small, canvas.theme.ink, line="top").bottom

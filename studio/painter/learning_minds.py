@@ -32,7 +32,7 @@ from studio.painter.learning_results import (
 )
 from studio.painter.learning_scales import Scales
 from studio.painter.plots import Axis, ticks
-from studio.palette import LIGHT, blend, learner_colour, legible
+from studio.palette import blend, learner_colour
 
 _MOST_SEEDS = 60
 """So many seeds are drawn one by one; more would only be a smear."""
@@ -69,7 +69,9 @@ def draw_shapes(
         across, up = Axis(0, 1, panel.left, panel.right), Axis(0, 1, panel.bottom, panel.top)
         quarters = (0.0, 0.25, 0.5, 0.75, 1.0)
         ground(canvas, panel, [across.at(q) for q in quarters], [up.at(q) for q in quarters])
-        canvas.line([(panel.left, panel.bottom), (panel.right, panel.top)], LIGHT.grid, canvas.hair)
+        canvas.line(
+            [(panel.left, panel.bottom), (panel.right, panel.top)], canvas.theme.grid, canvas.hair
+        )
         labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
         curves = [
             (shade, weight(p, float(row[column])).numpy())
@@ -86,7 +88,7 @@ def draw_shapes(
     up = Axis(*scales.values, panel.bottom, panel.top)
     ground(canvas, panel)
     zero_x, zero_y = round(across.at(0.0)), round(up.at(0.0))
-    axis_colour = blend(LIGHT.faint, LIGHT.panel, 0.5)
+    axis_colour = blend(canvas.theme.faint, canvas.theme.panel, 0.5)
     canvas.fill(Box(zero_x, panel.top, zero_x + canvas.hair, panel.bottom), axis_colour)
     canvas.fill(Box(panel.left, zero_y, panel.right, zero_y + canvas.hair), axis_colour)
     labels_below(canvas, panel, across.at, (-reach, 0.0, reach), "")
@@ -131,7 +133,7 @@ def _draw_shape(
             for own_shade, y in curves
             if own_shade == shade
         ]
-        tint = blend(colour, LIGHT.panel, shade)
+        tint = blend(colour, canvas.theme.panel, shade)
         if len(lines) > _FEW_SEEDS:
             # where many lines meet is where the learner mostly ends up
             part.faint_paths(lines, tint, unit, 0.4)
@@ -139,7 +141,7 @@ def _draw_shape(
         for line in lines:
             part.line(line, tint, unit)
     true = np.stack([_straight(across, x), _straight(up, truth)], axis=-1)
-    dashed_path(part, true, LIGHT.ink, 2.2 * unit)
+    dashed_path(part, true, canvas.theme.ink, 2.2 * unit)
 
 
 def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
@@ -156,8 +158,8 @@ def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
     for index, (pairs, shade) in enumerate(zip(sizes, _SHADES[len(sizes)], strict=True)):
         middle = bottom - (len(sizes) - 1 - index) * step
         stroke = [(left, middle), (left + 15 * unit, middle)]
-        canvas.line(stroke, blend(colour, LIGHT.panel, shade), 2.6 * unit)
-        canvas.text((left + 20 * unit, middle), str(pairs), size, LIGHT.faint)
+        canvas.line(stroke, blend(colour, canvas.theme.panel, shade), 2.6 * unit)
+        canvas.text((left + 20 * unit, middle), str(pairs), size, canvas.theme.faint)
 
 
 def _straight(axis: Axis, values: FloatArray) -> FloatArray:
@@ -212,11 +214,11 @@ def _draw_cosines(
 ) -> None:
     """Write how near the learnt θ points to the true one, beside the plot's name."""
     size, gap = canvas.type.small, 8 * canvas.unit
-    texts = [("cos", LIGHT.faint)]
+    texts = [("cos", canvas.theme.faint)]
     for name, rows in learnt.items():
         if rows:
             cosine = number(_mean_cosine(rows, teacher), ".3f")
-            texts.append((cosine, legible(learner_colour(name))))
+            texts.append((cosine, canvas.theme.legible(learner_colour(name))))
     widths = [canvas.measure(text, size) for text, _ in texts]
     room = box.width - canvas.measure(_REWARD[0], size, SEMIBOLD) - gap
     if len(texts) == 1 or sum(widths) + gap * len(widths) > room:
@@ -274,7 +276,7 @@ class _RowPlot:
             neutral = round(at(self.neutral))
             canvas.fill(
                 Box(neutral, panel.top, neutral + canvas.hair, panel.bottom),
-                blend(LIGHT.faint, LIGHT.panel, 0.6),
+                blend(canvas.theme.faint, canvas.theme.panel, 0.6),
             )
         labels_below(canvas, panel, at, self.marks, "")
         rows = panel.rows([1.0] * len(self.names))
@@ -284,10 +286,10 @@ class _RowPlot:
             if index % math.ceil(1.05 * size / row.height) == 0:
                 text = canvas.fitted(name, left - 6 * unit, size)
                 right = panel.left - 6 * unit
-                canvas.text((right, row.centre[1]), text, size, LIGHT.ink, anchor="right")
+                canvas.text((right, row.centre[1]), text, size, canvas.theme.ink, anchor="right")
             if index:
                 canvas.fill(
-                    Box(panel.left, row.top, panel.right, row.top + canvas.hair), LIGHT.grid
+                    Box(panel.left, row.top, panel.right, row.top + canvas.hair), canvas.theme.grid
                 )
             lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(learnt), 1))
             for (learner, seeds), lane in zip(learnt.items(), lanes, strict=False):
@@ -299,13 +301,15 @@ class _RowPlot:
                 if len(found) > 1:
                     for x in found[:_MOST_SEEDS]:
                         part.disc(
-                            (x, lane.centre[1]), 0.72 * radius, blend(colour, LIGHT.panel, 0.5)
+                            (x, lane.centre[1]),
+                            0.72 * radius,
+                            blend(colour, canvas.theme.panel, 0.5),
                         )
                 mean = at(float(np.mean([numbers[index] for numbers in seeds])))
                 dot(part, mean, lane.centre[1], colour, radius / unit)
             pen = max(1, round(2 * unit))
             bar = round(at(true) - pen / 2)
-            canvas.fill(Box(bar, row.top, bar + pen, row.bottom), LIGHT.ink)
+            canvas.fill(Box(bar, row.top, bar + pen, row.bottom), canvas.theme.ink)
 
 
 def draw_calibration(
@@ -332,7 +336,7 @@ def draw_calibration(
     labels_below(canvas, panel, across.at, (0.0, 100.0), "predicted")
     labels_beside(canvas, panel, up.at, marks)
     zero = np.array([(panel.left, up.at(0.0)), (panel.right, up.at(0.0))])
-    dashed_path(canvas, zero, LIGHT.ink, 1.2 * canvas.unit)
+    dashed_path(canvas, zero, canvas.theme.ink, 1.2 * canvas.unit)
     part = canvas.clipped(panel)
     for pairs in dict.fromkeys((*results.sizes[:1], *results.sizes[-1:])):
         for name in results.learners:
@@ -342,7 +346,7 @@ def draw_calibration(
             colour = learner_colour(name)
             line = np.stack([across.along(points[:, 0]), up.along(points[:, 1])], axis=-1)
             if pairs < results.sizes[-1]:
-                part.line(line, blend(colour, LIGHT.panel, 0.5), 1.2 * canvas.unit)
+                part.line(line, blend(colour, canvas.theme.panel, 0.5), 1.2 * canvas.unit)
                 continue
             part.line(line, colour, 2.2 * canvas.unit)
             for x, y in line:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
 from studio.painter.plots import number
-from studio.palette import LIGHT, Colour, legible
+from studio.palette import Colour
 
 _BAND = 0.22
 """How opaque a band is."""
@@ -68,7 +68,7 @@ def caption(canvas: Canvas, box: Box, wordings: str | Sequence[str]) -> Box:
     """
     size = canvas.type.small
     text = canvas.fitted(wordings, box.width, size, SEMIBOLD)
-    canvas.text((box.left, box.top), text, size, LIGHT.ink, SEMIBOLD, line="top")
+    canvas.text((box.left, box.top), text, size, canvas.theme.ink, SEMIBOLD, line="top")
     return Box(box.left, box.top + 1.45 * size, box.right, box.bottom)
 
 
@@ -87,13 +87,13 @@ def ground(
     canvas: Canvas, panel: Box, across: Sequence[float] = (), up: Sequence[float] = ()
 ) -> None:
     """Fill a plot's panel and draw the grid through these pixels."""
-    canvas.fill(panel, LIGHT.panel)
+    canvas.fill(panel, canvas.theme.panel)
     for x in across:
         left = min(round(x), round(panel.right) - canvas.hair)
-        canvas.fill(Box(left, panel.top, left + canvas.hair, panel.bottom), LIGHT.grid)
+        canvas.fill(Box(left, panel.top, left + canvas.hair, panel.bottom), canvas.theme.grid)
     for y in up:
         top = min(round(y), round(panel.bottom) - canvas.hair)
-        canvas.fill(Box(panel.left, top, panel.right, top + canvas.hair), LIGHT.grid)
+        canvas.fill(Box(panel.left, top, panel.right, top + canvas.hair), canvas.theme.grid)
 
 
 def labels_below(
@@ -125,7 +125,7 @@ def labels_below(
         # a hair of rounding is not an overflow
         fits = panel.left - 1 <= box.left and box.right <= panel.right + 1
         if fits and not any(box.overlaps(other) for other in taken):
-            canvas.text((centre, top), text, size, LIGHT.faint, anchor="centre", line="top")
+            canvas.text((centre, top), text, size, canvas.theme.faint, anchor="centre", line="top")
             taken.append(Box(box.left - gap, box.top, box.right + gap, box.bottom))
     rightmost = max(taken, key=lambda box: box.right, default=None)
     return rightmost and Box(
@@ -146,7 +146,9 @@ def labels_beside(
         box = canvas.text_box((right, middle), number(value), size, anchor="right")
         if not any(box.overlaps(other) for other in taken):
             taken.append(
-                canvas.text((right, middle), number(value), size, LIGHT.faint, anchor="right")
+                canvas.text(
+                    (right, middle), number(value), size, canvas.theme.faint, anchor="right"
+                )
             )
 
 
@@ -175,7 +177,7 @@ def dashed_path(canvas: Canvas, points: FloatArray, colour: Colour, width: float
 
 def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0) -> None:
     """Draw a disc that a rim keeps apart from what is below; radius in units of the page."""
-    canvas.disc((x, y), (radius + 1.3) * canvas.unit, LIGHT.ground)
+    canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
     canvas.disc((x, y), radius * canvas.unit, colour)
 
 
@@ -200,7 +202,7 @@ def end_labels(
     centres = _spread(heights, step, column.top + step / 2, column.bottom - step / 2)
     for middle, (_, wordings, colour) in zip(centres, shown, strict=True):
         text = canvas.fitted(wordings, column.right - left, size, SEMIBOLD)
-        canvas.text((left, middle), text, size, legible(colour), SEMIBOLD)
+        canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
 
 def _spread(heights: Sequence[float], step: float, low: float, high: float) -> list[float]:

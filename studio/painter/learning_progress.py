@@ -25,7 +25,7 @@ from studio.painter.learning_plots import (
 from studio.painter.learning_results import Results
 from studio.painter.learning_scales import Scales
 from studio.painter.plots import Axis, ticks
-from studio.palette import LIGHT, Colour, blend, learner_colour
+from studio.palette import Colour, blend, learner_colour
 
 
 def draw_regret(
@@ -52,7 +52,7 @@ def draw_regret(
     ends = [(curve, _wordings(curve, _percent(curve.mean[-1]))) for curve in curves]
     _draw_curves(canvas, panel, results, ends, up, marks, 1.0)
     if not curves:
-        canvas.text(panel.centre, "no fits yet", kind.small, LIGHT.faint, anchor="centre")
+        canvas.text(panel.centre, "no fits yet", kind.small, canvas.theme.faint, anchor="centre")
 
 
 def draw_agreement(
@@ -110,14 +110,14 @@ def _draw_curves(
     written = labels_below(canvas, plot, across.at, [float(pairs) for pairs in results.sizes], "")
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
-        canvas.text(at, "pairs", size, LIGHT.faint, line="top")
+        canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
     lines = [_Line.of(curve, across, up, scale) for curve, _ in ends]
     part = canvas.clipped(plot)
     for line in lines:
         if len(line.x) > 1 and (line.runs > 1).any():
             band(canvas, plot, line.x, line.low, line.high, line.colour)
     for index, line in enumerate(lines):
-        faint = blend(line.colour, LIGHT.panel, 0.6)
+        faint = blend(line.colour, canvas.theme.panel, 0.6)
         beside = 3.2 * unit * (index - (len(lines) - 1) / 2)
         for x, y in zip(line.x[line.runs > 1], line.whiskers[line.runs > 1], strict=True):
             part.line([(x + beside, y[0]), (x + beside, y[1])], faint, canvas.hair)

@@ -187,7 +187,7 @@ class Results:
             )
         each = "a dot a seed, large: mean, " if seeds > 1 else ""
         numbers = "Reward and parameters" if self.shaped else "Reward"
-        said.append(f"{numbers} at {most}: {each}black: teacher")
+        said.append(f"{numbers} at {most}: {each}bar: teacher")
         if len(self.sizes) > 1:
             said.append(f"Errors: bold {most}, thin {self.sizes[0]}")
         return [f"{note}." for note in said]

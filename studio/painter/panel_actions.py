@@ -20,10 +20,10 @@ from studio.painter.plots import (
     ticks,
 )
 from studio.painter.titles import display_name
-from studio.palette import CONTACT, LIGHT, Colour, action_colour, blend, legible, teacher_colour
+from studio.palette import Colour, blend, contrast, teacher_colour
 
 _BINS = 24
-_NOTES = ["black dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
+_NOTES = ["dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class ActionTable:
         self._draw_lines(canvas, len(rollouts.actions), contact.right - name.left)
         note = canvas.fitted(_NOTES, contact.right - name.left, canvas.type.small)
         at = (name.left, self.box.bottom - self.footer + 8 * canvas.unit)
-        canvas.text(at, note, canvas.type.small, LIGHT.faint, line="top")
+        canvas.text(at, note, canvas.type.small, canvas.theme.faint, line="top")
         self._draw_names(canvas, name, rollouts)
         self._draw_contacts(canvas, contact, rollouts)
         for measure, column in zip(measures, cells, strict=False):
@@ -140,12 +140,12 @@ class ActionTable:
 
     def _draw_lines(self, canvas: Canvas, count: int, room: float) -> None:
         for row in self._rows(self.box):
-            canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), LIGHT.grid)
+            canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), canvas.theme.grid)
         if self.shown < count:
             top = self.box.top + self.header + self.shown * self.row
             small, left_out = canvas.type.small, f"and {count - self.shown} more actions"
             text = canvas.fitted([f"{left_out} that there is no room for", left_out], room, small)
-            canvas.text((self.box.left, top + self.row / 2), text, small, LIGHT.faint)
+            canvas.text((self.box.left, top + self.row / 2), text, small, canvas.theme.faint)
 
     def _head(self, canvas: Canvas, column: Box, title: str, below: str, colour: Colour) -> None:
         kind = canvas.type
@@ -157,24 +157,25 @@ class ActionTable:
             (column.left, box.bottom + 1),
             canvas.fitted(below, column.width, kind.small),
             kind.small,
-            LIGHT.faint,
+            canvas.theme.faint,
             line="top",
         )
 
     def _draw_names(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
         unit, size = canvas.unit, canvas.type.body
-        self._head(canvas, column, "Action", "", LIGHT.ink)
+        self._head(canvas, column, "Action", "", canvas.theme.ink)
         for index, row in enumerate(self._rows(column)):
             middle = row.centre[1]
-            canvas.disc((row.left + 6 * unit, middle), 6 * unit, action_colour(index))
+            name = rollouts.actions[index].name
+            colour = canvas.theme.action_colour(name)
+            canvas.disc((row.left + 6 * unit, middle), 6 * unit, colour)
             left = row.left + 20 * unit
-            name = display_name(rollouts.actions[index].name)
-            text = canvas.fitted(name, row.right - left, size, SEMIBOLD)
-            canvas.text((left, middle), text, size, legible(action_colour(index)), SEMIBOLD)
+            text = canvas.fitted(display_name(name), row.right - left, size, SEMIBOLD)
+            canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
     def _draw_contacts(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
         unit, size, count = canvas.unit, canvas.type.body, rollouts.contact_step.shape[1]
-        self._head(canvas, column, "Contact", "one dot a rollout", LIGHT.ink)
+        self._head(canvas, column, "Contact", "one dot a rollout", canvas.theme.ink)
         room = canvas.measure(f"{count} of {count}", size, SEMIBOLD)
         for index, row in enumerate(self._rows(column)):
             touched = int((rollouts.contact_step[index] >= 0).sum())
@@ -185,13 +186,14 @@ class ActionTable:
                 row.right - room - 8 * unit,
                 row.centre[1] + height / 2,
             )
-            faint = blend(action_colour(index), LIGHT.ground, 0.45)
+            colour = canvas.theme.action_colour(rollouts.actions[index].name)
+            faint = blend(colour, canvas.theme.ground, 0.45)
             drawn = draw_icons(canvas, icons, touched, count, faint)
             canvas.text(
                 (drawn.right + 8 * unit, row.centre[1]),
                 f"{touched} of {count}",
                 size,
-                CONTACT if touched else LIGHT.faint,
+                canvas.theme.contact if touched else canvas.theme.faint,
                 SEMIBOLD if touched else 400,
             )
 
@@ -200,21 +202,22 @@ class ActionTable:
     ) -> None:
         unit = canvas.unit
         title = measure.title.capitalize() + (f", {measure.unit}" if measure.unit else "")
-        self._head(canvas, column, title, f"reward {signed(measure.worth)}", LIGHT.ink)
+        self._head(canvas, column, title, f"reward {signed(measure.worth)}", canvas.theme.ink)
         axis = Axis(measure.low, measure.high, column.left, column.right)
         rows = self._rows(column)
         for index, row in enumerate(rows):
             plot = Box(row.left, row.top + 0.14 * row.height, row.right, row.bottom - 1)
             values = measure.values[index]
             touched = rollouts.contact_step[index] >= 0
-            colour = action_colour(index)
+            colour = canvas.theme.action_colour(rollouts.actions[index].name)
             draw_histogram(canvas, plot, axis, values, measure.edges, colour, touched)
         draw_ticks(canvas, axis, rows[-1].bottom + 8 * unit, measure.ticks)
 
     def _draw_judgement(self, canvas: Canvas, column: Box, judgement: Judgement) -> None:
         unit, size = canvas.unit, canvas.type.body
         colour = teacher_colour(judgement.teacher)
-        self._head(canvas, column, f"V {teacher_name(judgement.teacher)}", "filled: pick", colour)
+        title, ink = f"V {teacher_name(judgement.teacher)}", canvas.theme.legible(colour)
+        self._head(canvas, column, title, "filled: pick", ink)
         width = canvas.measure("−0.000", size, SEMIBOLD) + 12 * unit
         for index, row in enumerate(self._rows(column)):
             given, middle = float(judgement.values[index]), row.centre[1]
@@ -223,6 +226,9 @@ class ActionTable:
                 half = min(0.75 * size, row.height / 2 - canvas.hair)
                 pill = Box(row.left, middle - half, row.left + width, middle + half)
                 canvas.rounded(pill, 5 * unit, colour)
-                canvas.text((right, middle), text, size, LIGHT.ground, SEMIBOLD, anchor="right")
+                paper = max(
+                    canvas.theme.ground, canvas.theme.ink, key=lambda ink: contrast(ink, colour)
+                )
+                canvas.text((right, middle), text, size, paper, SEMIBOLD, anchor="right")
             else:
-                canvas.text((right, middle), text, size, LIGHT.ink, anchor="right")
+                canvas.text((right, middle), text, size, canvas.theme.ink, anchor="right")

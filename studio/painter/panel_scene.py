@@ -12,7 +12,6 @@ from studio.judgements import Judgement
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label, draw_labels
 from studio.painter.stage import (
-    PEOPLE_PATH,
     draw_goal,
     draw_ground,
     draw_groups,
@@ -24,7 +23,7 @@ from studio.painter.stage import (
     overlap_opacity,
 )
 from studio.painter.titles import display_name
-from studio.palette import CONTACT, LIGHT, action_colour, legible
+from studio.palette import blend
 
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 
@@ -48,33 +47,36 @@ def draw_scene(
     count = rollouts.robot.shape[1]
     opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
 
+    theme = canvas.theme
+    colours = [theme.action_colour(action.name) for action in rollouts.actions]
     draw_ground(inside, view)
+    grey = blend(theme.pedestrian, theme.panel, 0.8)
     people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
-    inside.faint_paths(list(view.to_pixels(people)), PEOPLE_PATH, pen, 0.6 * opacity)
+    inside.faint_paths(list(view.to_pixels(people)), grey, pen, 0.6 * opacity)
     for index, paths in enumerate(rollouts.robot):
-        inside.faint_paths(list(view.to_pixels(paths)), action_colour(index), pen, opacity)
+        inside.faint_paths(list(view.to_pixels(paths)), colours[index], pen, opacity)
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)
     _draw_contacts(inside, view, rollouts)
     medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
     for index, median in enumerate(medians):
-        inside.line(median, LIGHT.panel, 6 * unit)
-        inside.line(median, action_colour(index), 3 * unit)
+        inside.line(median, canvas.theme.panel, 6 * unit)
+        inside.line(median, colours[index], 3 * unit)
     for index, median in enumerate(medians):
-        inside.disc(median[-1], 7 * unit, LIGHT.ground)
-        inside.disc(median[-1], 5 * unit, action_colour(index))
+        inside.disc(median[-1], 7 * unit, canvas.theme.ground)
+        inside.disc(median[-1], 5 * unit, colours[index])
     goal = draw_goal(inside, view, scene.robot.goal)
     start = np.array([*scene.robot.start, scene.robot.start_heading])
-    draw_robot(inside, view, start, LIGHT.ink)
+    draw_robot(inside, view, start, canvas.theme.ink)
     picks = {judgement.best for judgement in judgements}
     named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
     labels = _scene_labels(inside, view, rollouts, medians, goal, named)
-    draw_labels(inside, labels, panel.inset(4 * unit), LIGHT.panel)
+    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel)
     small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
     caption = canvas.fitted(_captions(rollouts), end - box.left, small)
-    canvas.text((box.left, baseline), caption, small, LIGHT.faint, line="base")
+    canvas.text((box.left, baseline), caption, small, canvas.theme.faint, line="base")
 
 
 def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
@@ -82,8 +84,8 @@ def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
         touching = np.flatnonzero(steps >= 0)
         for centre in view.to_pixels(paths[touching, steps[touching]]):
-            canvas.disc(centre, 3.6 * canvas.unit, LIGHT.ground)
-            canvas.disc(centre, 2.8 * canvas.unit, CONTACT)
+            canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
+            canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
 
 
 def _scene_labels(
@@ -99,14 +101,14 @@ def _scene_labels(
     labels = []
     for index in sorted(named):
         path = medians[index]
-        name = display_name(rollouts.actions[index].name)
+        name = rollouts.actions[index].name
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
-                canvas.fitted(name, view.box.width / 5, body, SEMIBOLD),
+                canvas.fitted(display_name(name), view.box.width / 5, body, SEMIBOLD),
                 body,
                 SEMIBOLD,
-                legible(action_colour(index)),
+                canvas.theme.legible(canvas.theme.action_colour(name)),
                 near=(float(path[-1, 0]), float(path[-1, 1])),
                 reach=9 * unit,
                 # below where the robot hardly moves
@@ -117,7 +119,7 @@ def _scene_labels(
     x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
     behind = -math.cos(heading), math.sin(heading)
     reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
-    labels.append(Label("robot", small, REGULAR, LIGHT.ink, (x, y), reach, behind))
+    labels.append(Label("robot", small, REGULAR, canvas.theme.ink, (x, y), reach, behind))
     return [*labels, goal_label(canvas, goal, (goal[0] - x, goal[1] - y))]
 
 

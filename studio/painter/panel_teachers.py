@@ -11,7 +11,7 @@ from studio.naming import teacher_name
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.plots import Axis, number, round_range, ticks
 from studio.painter.titles import display_name
-from studio.palette import LIGHT, action_colour, legible, teacher_colour
+from studio.palette import teacher_colour
 
 _PROBABILITY = ["probability p · thin: of gains, bold: of losses", "probability p", "p"]
 
@@ -59,32 +59,32 @@ def _frame(
         (box.left, box.top),
         canvas.fitted(title, box.width, kind.heading, SEMIBOLD),
         kind.heading,
-        LIGHT.ink,
+        canvas.theme.ink,
         SEMIBOLD,
         line="top",
     )
     panel = Box(box.left, box.top + 1.5 * kind.heading, box.right, box.bottom - 1.4 * kind.small)
-    canvas.fill(panel, LIGHT.panel)
+    canvas.fill(panel, canvas.theme.panel)
     across = Axis(*x_range, panel.left, panel.right)
     up = Axis(*y_range, panel.bottom, panel.top)
     for x in ticks(*x_range, 4):
         at = round(across.at(x))
-        canvas.fill(Box(at, panel.top, at + canvas.hair, panel.bottom), LIGHT.grid)
+        canvas.fill(Box(at, panel.top, at + canvas.hair, panel.bottom), canvas.theme.grid)
     for y in ticks(*y_range, 4):
         at = round(up.at(y))
-        canvas.fill(Box(panel.left, at, panel.right, at + canvas.hair), LIGHT.grid)
+        canvas.fill(Box(panel.left, at, panel.right, at + canvas.hair), canvas.theme.grid)
     low, high = number(x_range[0]), number(x_range[1])
     top = panel.bottom + 0.2 * kind.small
-    first = canvas.text((panel.left, top), low, kind.small, LIGHT.faint, line="top")
+    first = canvas.text((panel.left, top), low, kind.small, canvas.theme.faint, line="top")
     last = canvas.text(
-        (panel.right, top), high, kind.small, LIGHT.faint, anchor="right", line="top"
+        (panel.right, top), high, kind.small, canvas.theme.faint, anchor="right", line="top"
     )
     room = 2 * min(box.centre[0] - first.right, last.left - box.centre[0]) - 8 * unit
     canvas.text(
         (box.centre[0], top),
         canvas.fitted(below, room, kind.small),
         kind.small,
-        LIGHT.faint,
+        canvas.theme.faint,
         anchor="centre",
         line="top",
     )
@@ -120,7 +120,7 @@ def _draw_values(
         Box(across.at(0.0), up.end, across.at(0.0) + canvas.hair, up.start),
         Box(across.start, up.at(0.0), across.end, up.at(0.0) + canvas.hair),
     ):
-        canvas.fill(x_or_y, LIGHT.faint)
+        canvas.fill(x_or_y, canvas.theme.faint)
     for teacher, curve in curves.items():
         line = np.stack([across.along(x), up.along(curve)], axis=-1)
         canvas.line(line, teacher_colour(teacher), 3 * canvas.unit)
@@ -140,10 +140,10 @@ def _draw_parameters(
             (cell.left, cell.centre[1]),
             canvas.fitted(title, cell.width, kind.small),
             kind.small,
-            LIGHT.faint,
+            canvas.theme.faint,
         )
     for judgement, row in zip(judgements, rows, strict=True):
-        canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), LIGHT.grid)
+        canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), canvas.theme.grid)
         name, *cells, pick = row.columns(widths, 2 * unit)
         colour, middle = teacher_colour(judgement.teacher), row.centre[1]
         canvas.fill(
@@ -153,7 +153,7 @@ def _draw_parameters(
         text = canvas.fitted(
             teacher_name(judgement.teacher), name.right - left, kind.body, SEMIBOLD
         )
-        canvas.text((left, middle), text, kind.body, colour, SEMIBOLD)
+        canvas.text((left, middle), text, kind.body, canvas.theme.legible(colour), SEMIBOLD)
         parameters = judgement.parameters
         numbers = (
             parameters.alpha,
@@ -171,13 +171,13 @@ def _draw_parameters(
                     kind.small,
                 ),
                 kind.small,
-                LIGHT.ink,
+                canvas.theme.ink,
             )
-        best = display_name(rollouts.actions[judgement.best].name)
+        best = rollouts.actions[judgement.best].name
         canvas.text(
             (pick.left, middle),
-            canvas.fitted(best, pick.width, kind.body, SEMIBOLD),
+            canvas.fitted(display_name(best), pick.width, kind.body, SEMIBOLD),
             kind.body,
-            legible(action_colour(judgement.best)),
+            canvas.theme.legible(canvas.theme.action_colour(best)),
             SEMIBOLD,
         )

@@ -16,13 +16,19 @@ from studio.painter.panel_actions import ActionTable
 from studio.painter.panel_scene import draw_scene
 from studio.painter.panel_teachers import draw_teachers
 from studio.painter.titles import subtitles, titles
-from studio.palette import LIGHT
+from studio.palette import LIGHT, Theme
+
+SIZE = (1600, 900)
+"""Of the picture unless one asks for another, px."""
 
 _MARGIN, _GAP = 36, 36  # of the page and between its blocks, in units of the reference page
 
 
 def draw_picture(
-    rollouts: Rollouts, judgements: Sequence[Judgement], size: tuple[int, int] = (1600, 900)
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> PixelArray:
     """Draw the picture of a scene.
 
@@ -30,6 +36,7 @@ def draw_picture(
         rollouts: of the scene under each action.
         judgements: the teachers' values of these actions.
         size: width and height, px.
+        theme: of the page.
 
     Returns:
         [height, width, 3], red, green, blue.
@@ -37,14 +44,15 @@ def draw_picture(
     Raises:
         InputError: if the size is not allowed.
     """
-    return compose_picture(rollouts, judgements, size).pixels
+    return compose_picture(rollouts, judgements, size, theme).pixels
 
 
 def write_png(
     path: Path,
     rollouts: Rollouts,
     judgements: Sequence[Judgement],
-    size: tuple[int, int] = (1600, 900),
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> None:
     """Write the picture of a scene as a PNG file; see `draw_picture`.
 
@@ -52,17 +60,20 @@ def write_png(
         InputError: if the size is not allowed.
         RunError: if the file cannot be written.
     """
-    compose_picture(rollouts, judgements, size).save(path)
+    compose_picture(rollouts, judgements, size, theme).save(path)
 
 
 def compose_picture(
-    rollouts: Rollouts, judgements: Sequence[Judgement], size: tuple[int, int] = (1600, 900)
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
 ) -> Canvas:
     """Draw the picture of a scene and keep the canvas, which knows where its texts are.
 
     Arguments and errors as for `draw_picture`.
     """
-    canvas = Canvas(*size, LIGHT.ground)
+    canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
     unit, page = canvas.unit, canvas.box.inset(_MARGIN * canvas.unit)
     body_top = _draw_title(canvas, page, rollouts) + 16 * unit
     table = ActionTable.fit(canvas, Box(page.left, body_top, page.right, page.bottom), rollouts)
@@ -90,7 +101,9 @@ def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
     """
     kind = canvas.type
     title = canvas.fitted(titles(rollouts), page.width, kind.title, SEMIBOLD)
-    box = canvas.text((page.left, page.top), title, kind.title, LIGHT.ink, SEMIBOLD, line="top")
+    box = canvas.text(
+        (page.left, page.top), title, kind.title, canvas.theme.ink, SEMIBOLD, line="top"
+    )
     subtitle = canvas.fitted(subtitles(rollouts), page.width, kind.body)
     at = (page.left, box.bottom + 4 * canvas.unit)
-    return canvas.text(at, subtitle, kind.body, LIGHT.faint, line="top").bottom
+    return canvas.text(at, subtitle, kind.body, canvas.theme.faint, line="top").bottom

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from studio.painter.canvas import Box, Canvas, FloatArray
-from studio.palette import CONTACT, LIGHT, Colour
+from studio.palette import Colour
 
 BoolArray = NDArray[np.bool_]
 
@@ -83,7 +83,9 @@ def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) 
         half = canvas.measure(text, size) / 2
         centre = min(max(axis.at(value), axis.start + half), axis.end - half)
         if centre - half >= right_of_last + gap:
-            box = canvas.text((centre, top), text, size, LIGHT.faint, anchor="centre", line="top")
+            box = canvas.text(
+                (centre, top), text, size, canvas.theme.faint, anchor="centre", line="top"
+            )
             right_of_last = box.right
 
 
@@ -124,10 +126,12 @@ def draw_histogram(
         bar = Box(left, box.bottom - height, max(right - gap, left + 1), box.bottom)
         canvas.fill(bar, colour)
         if red:
-            canvas.fill(Box(bar.left, box.bottom - red_height, bar.right, box.bottom), CONTACT)
+            canvas.fill(
+                Box(bar.left, box.bottom - red_height, bar.right, box.bottom), canvas.theme.contact
+            )
     mean = (axis.at(float(inside.mean())), box.bottom)
-    canvas.disc(mean, 4.5 * canvas.unit, LIGHT.ground)
-    canvas.disc(mean, 3.2 * canvas.unit, LIGHT.ink)
+    canvas.disc(mean, 4.5 * canvas.unit, canvas.theme.ground)
+    canvas.disc(mean, 3.2 * canvas.unit, canvas.theme.ink)
 
 
 def icon_columns(count: int, rows: int = 5) -> int:
@@ -154,11 +158,11 @@ def draw_icons(
         canvas.fill(bar, colour)
         if touched:
             share = max(bar.width * touched / count, 1.0)
-            canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), CONTACT)
+            canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), canvas.theme.contact)
         return bar
     top = box.centre[1] - rows * pitch / 2
     for index in range(count):
         column, row = divmod(index, rows)
         centre = (box.left + (column + 0.5) * pitch, top + (row + 0.5) * pitch)
-        canvas.disc(centre, 0.38 * pitch, CONTACT if index < touched else colour)
+        canvas.disc(centre, 0.38 * pitch, canvas.theme.contact if index < touched else colour)
     return Box(box.left, top, box.left + columns * pitch, top + rows * pitch)

@@ -9,7 +9,7 @@ import rerun as rr
 from learners import value, weight
 from studio.judgements import FloatArray, Judgement
 from studio.naming import number, teacher_name
-from studio.palette import LIGHT, TEACHER_COLOURS, Colour
+from studio.palette import LIGHT, teacher_colour
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
 
@@ -102,8 +102,3 @@ def log_curves(
         drawing.line([(left + 0.05 * axes.width, y), (left + 0.13 * axes.width, y)], colour, 4.0)
         drawing.text((left + 0.22 * axes.width, y), teacher_name(judgement.teacher))
     drawing.log(stream, figure)
-
-
-def teacher_colour(teacher: str) -> Colour:
-    """The colour of a teacher; one without a colour of its own is drawn in ink."""
-    return TEACHER_COLOURS.get(teacher, LIGHT.ink)

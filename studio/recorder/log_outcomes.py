@@ -10,7 +10,7 @@ from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.framing import Bounds
 from studio.judgements import FloatArray, Judgement
 from studio.naming import number, short, teacher_name
-from studio.palette import LIGHT, Colour, action_colour, blend
+from studio.palette import LIGHT, Colour, Theme, blend
 from studio.recorder import entities
 from studio.recorder.drawing import OVERLAP, Drawing
 from studio.recorder.log_world import rounded, time_columns
@@ -49,7 +49,7 @@ def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     stream.log(entities.OUTCOMES, rr.AnyValues(**columns), static=True)
 
 
-def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
     """Plot the median gap to the nearest pedestrian over time, a series an action."""
     medians = np.median(gaps(rollouts), axis=1).T  # (T+1, A)
     stream.send_columns(
@@ -60,7 +60,7 @@ def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     stream.log(
         entities.CLEARANCE,
         rr.SeriesLines(
-            colors=[action_colour(index) for index in range(medians.shape[1])],
+            colors=[theme.action_colour(action.name) for action in rollouts.actions],
             widths=2.0,
             names=[short(action.name) for action in rollouts.actions],
         ),
@@ -68,7 +68,7 @@ def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     )
 
 
-def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
     """Draw a figure an action: a histogram a feature, and clearance over time."""
     edges = [
         bin_edges(feature, rollouts.features[..., column])
@@ -77,7 +77,7 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     if rollouts.scene.pedestrians:
         gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
     for index, action in enumerate(rollouts.actions):
-        drawing, colour = Drawing(lift=0.06), action_colour(index)
+        drawing, colour = Drawing(lift=0.06), theme.action_colour(action.name)
         for column, feature in enumerate(FEATURES):
             left = column * (PANEL_WIDTH + PANEL_GAP)
             counts, _ = np.histogram(rollouts.features[index, :, column], edges[column])
@@ -156,7 +156,10 @@ def draw_frame(drawing: Drawing, left: float, title: str) -> None:
 
 
 def log_comparison(
-    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...]
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    theme: Theme,
 ) -> None:
     """Draw a table of all outcomes: a row an action, a column a feature and a teacher.
 
@@ -164,8 +167,8 @@ def log_comparison(
     feature or the value to a teacher, who picks the action with the black ring.
     """
     drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
-    actions = range(len(rollouts.actions))
-    rows = -ROW_HEIGHT * (np.arange(len(actions), dtype=np.float64) + 0.5)
+    colours = [theme.action_colour(action.name) for action in rollouts.actions]
+    rows = -ROW_HEIGHT * (np.arange(len(colours), dtype=np.float64) + 0.5)
     # the dots of a row are spread upwards evenly, so that they do not hide one another
     heights = rows[:, None] + 0.6 * ROW_HEIGHT * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
@@ -174,16 +177,16 @@ def log_comparison(
     for column, feature in enumerate(FEATURES):
         places = draw_column(drawing, column, feature, rollouts.features[..., column], rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
-        for index in actions:
-            drawing.dot((np.median(places[index]), rows[index]), action_colour(index), 9.0)
+        for place, row, colour in zip(places, rows, colours, strict=True):
+            drawing.dot((np.median(place), row), colour, 9.0)
     for column, judgement in enumerate(judgements, start=len(FEATURES)):
         title = f"V {teacher_name(judgement.teacher)}"
         places = draw_column(drawing, column, title, judgement.values, rows)
         drawing.dot((places[judgement.best], rows[judgement.best]), LIGHT.ink, 17.0)
-        for index in actions:
-            drawing.dot((places[index], rows[index]), action_colour(index), 11.0)
+        for place, row, colour in zip(places, rows, colours, strict=True):
+            drawing.dot((place, row), colour, 11.0)
     drawing.log(stream, entities.COMPARISON)
-    faint = [blend(action_colour(index), LIGHT.panel, 0.5) for index in actions]
+    faint = [blend(colour, LIGHT.panel, 0.5) for colour in colours]
     stream.log(
         entities.COMPARED_OUTCOMES,
         rr.Points2D(

@@ -9,7 +9,7 @@ from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.framing import Bounds
 from studio.judgements import FloatArray
 from studio.naming import short
-from studio.palette import CONTACT, LIGHT, PEDESTRIAN, WALL, action_colour, blend
+from studio.palette import Theme, blend
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
 
@@ -41,10 +41,10 @@ PATH_STRIDE = 4
 TimeColumns = tuple[rr.TimeColumn, ...]
 
 
-def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds) -> None:
+def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme) -> None:
     """Draw what does not move: metres, walls, the robot's task and names of actions."""
     # without names, which the viewer would write beside every robot where there are few
-    colours = [CONTACT, *(action_colour(index) for index in range(len(rollouts.actions)))]
+    colours = [theme.contact, *(theme.action_colour(action.name) for action in rollouts.actions)]
     classes = [rr.AnnotationInfo(number, color=colour) for number, colour in enumerate(colours)]
     stream.log(
         entities.WORLD,
@@ -57,7 +57,7 @@ def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds) ->
         entities.GRID,
         rr.LineStrips2D(
             list(grid_lines(bounds)),
-            colors=LIGHT.grid,
+            colors=theme.grid,
             radii=rr.Radius.ui_points(0.5),
             draw_order=-10.0,
         ),
@@ -66,24 +66,24 @@ def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds) ->
     stream.log(
         entities.WALLS,
         rr.LineStrips2D(
-            list(rollouts.scene.wall_segments), colors=WALL, radii=WALL_THICKNESS / 2.0
+            list(rollouts.scene.wall_segments), colors=theme.wall, radii=WALL_THICKNESS / 2.0
         ),
         static=True,
     )
-    log_task(stream, rollouts)
+    log_task(stream, rollouts, theme)
     log_labels(stream, rollouts)
 
 
-def log_task(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
+def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
     """Draw the robot's start as a ring with a nose, and its goal as a target."""
     robot = rollouts.scene.robot
     start, goal = np.array(robot.start), np.array(robot.goal)
     ahead = np.array([np.cos(robot.start_heading), np.sin(robot.start_heading)])
     drawing = Drawing()
-    drawing.line(circle(start, ROBOT_RADIUS), LIGHT.ink)
-    drawing.line([start + ROBOT_RADIUS * ahead, start + 1.6 * ROBOT_RADIUS * ahead], LIGHT.ink, 3.0)
-    drawing.stroke(circle(goal, 0.85 * ROBOT_RADIUS), LIGHT.ink, 0.3 * ROBOT_RADIUS)
-    drawing.stroke(circle(goal, 0.15 * ROBOT_RADIUS), LIGHT.ink, 0.3 * ROBOT_RADIUS)
+    drawing.line(circle(start, ROBOT_RADIUS), theme.ink)
+    drawing.line([start + ROBOT_RADIUS * ahead, start + 1.6 * ROBOT_RADIUS * ahead], theme.ink, 3.0)
+    drawing.stroke(circle(goal, 0.85 * ROBOT_RADIUS), theme.ink, 0.3 * ROBOT_RADIUS)
+    drawing.stroke(circle(goal, 0.15 * ROBOT_RADIUS), theme.ink, 0.3 * ROBOT_RADIUS)
     drawing.log(stream, entities.TASK, draw_order=22.0)
 
 
@@ -97,7 +97,7 @@ def log_labels(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     drawing.log(stream, entities.LABELS)
 
 
-def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int) -> None:
+def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
     """Show the K robots and their pedestrians under one action, over time."""
     name = rollouts.actions[index].name
     robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, K, 2)
@@ -127,12 +127,12 @@ def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int) -> No
     )
     if person_count:
         in_full = np.repeat(in_full, person_count)
-        faint = blend(PEDESTRIAN, LIGHT.panel, 0.5)
+        faint = blend(theme.pedestrian, theme.panel, 0.5)
         stream.log(
             entities.pedestrians(name),
             rr.Points2D.from_fields(
                 radii=np.where(in_full, PEDESTRIAN_RADIUS, PERSON_DOT_RADIUS),
-                colors=np.where(in_full[:, None], PEDESTRIAN, faint),
+                colors=np.where(in_full[:, None], theme.pedestrian, faint),
                 draw_order=10.0,  # below paths and contacts
             ),
             static=True,
@@ -144,10 +144,10 @@ def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int) -> No
                 [count * person_count] * times
             ),
         )
-    log_paths(stream, rollouts, index)
+    log_paths(stream, rollouts, index, theme)
 
 
-def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int) -> None:
+def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
     """Draw the paths of the K robots, with a red cross where one first touched something."""
     robot = rounded(rollouts.robot[index, ..., :2])
     last = robot.shape[1] - 1
@@ -155,12 +155,12 @@ def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int) -> Non
     contact_step = rollouts.contact_step[index]
     ever = np.flatnonzero(contact_step >= 0)
     marks = crosses(robot[ever, contact_step[ever]], 0.05)
-    faint = blend(action_colour(index), LIGHT.panel, 0.45)
+    faint = blend(theme.action_colour(rollouts.actions[index].name), theme.panel, 0.45)
     stream.log(
         entities.paths(rollouts.actions[index].name),
         rr.LineStrips2D(
             [*robot[:, corners], *marks],
-            colors=[faint] * len(robot) + [CONTACT] * len(marks),
+            colors=[faint] * len(robot) + [theme.contact] * len(marks),
             radii=rr.Radius.ui_points(0.7),
         ),
         static=True,

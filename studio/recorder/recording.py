@@ -16,6 +16,7 @@ import tomli_w
 from scenes import Rollouts, scene_to_toml
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
+from studio.palette import LIGHT, Theme
 from studio.recorder import entities
 from studio.recorder.about import about_page, summary_page
 from studio.recorder.blueprint import recording_blueprint
@@ -51,17 +52,18 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     bounds = bounds_to_show(rollouts)
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
     versions = package_versions()
+    theme = LIGHT.of(action.name for action in rollouts.actions)
     with recording_to(path, entities.APPLICATION, _identity(rollouts), blueprint) as stream:
         log_properties(stream, rollouts, versions)
         log_ground(stream, entities.GROUND)
-        log_scene(stream, rollouts, bounds)
+        log_scene(stream, rollouts, bounds, theme)
         for index in range(len(rollouts.actions)):
-            log_action(stream, rollouts, index)
+            log_action(stream, rollouts, index, theme)
         if rollouts.scene.pedestrians:
-            log_clearance(stream, rollouts)
+            log_clearance(stream, rollouts, theme)
         log_outcomes(stream, rollouts)
         log_judgements(stream, judgements)
-        log_figures(stream, rollouts, judgements)
+        log_figures(stream, rollouts, judgements, theme)
         log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
         log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
 
@@ -96,13 +98,16 @@ def log_properties(
 
 
 def log_figures(
-    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...]
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    theme: Theme,
 ) -> None:
     """Draw all figures."""
     # screens count y downwards, figures count it upwards
     stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
-    log_distributions(stream, rollouts)
-    log_comparison(stream, rollouts, judgements)
+    log_distributions(stream, rollouts, theme)
+    log_comparison(stream, rollouts, judgements, theme)
     log_weighting(stream, judgements)
     log_values(stream, judgements)
 

@@ -10,13 +10,22 @@ from studio.errors import InputError
 from studio.painter.canvas import Box, Canvas, View, disc_coverage
 from studio.painter.labels import Label, distance, place
 from studio.painter.plots import Axis, draw_icons, number, round_range, ticks
-from studio.palette import LIGHT, action_colour, legible
+from studio.palette import (
+    ACTION_COLOURS,
+    LEARNER_COLOURS,
+    LIGHT,
+    OTHER_LEARNERS,
+    TEACHER_COLOURS,
+    THEMES,
+    Theme,
+    contrast,
+)
 
 WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
 
 
 def a_canvas(width=640, height=360):
-    return Canvas(width, height, WHITE)
+    return Canvas(width, height, LIGHT)
 
 
 def ink(canvas):
@@ -27,7 +36,7 @@ def ink(canvas):
 @pytest.mark.parametrize("size", [(639, 360), (640, 359), (10_000, 900), (0, 0)])
 def test_sizes_that_cannot_be_drawn_are_refused_in_one_line(size):
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not allowed") as e:
-        Canvas(*size, WHITE)
+        Canvas(*size, LIGHT)
     assert "\n" not in str(e.value)
 
 
@@ -150,7 +159,7 @@ def test_a_copy_is_a_page_of_its_own():
 
 
 def test_type_stays_legible_on_the_smallest_page_and_grows_with_the_largest():
-    small, large = a_canvas().type, Canvas(3840, 2160, WHITE).type
+    small, large = a_canvas().type, Canvas(3840, 2160, LIGHT).type
     assert small.small >= 8
     assert large.small > 4 * small.small
     for scale in (small, large):
@@ -246,12 +255,27 @@ def test_an_icon_array_has_one_dot_a_rollout_and_the_touched_ones_in_red():
     assert reds.sum() / (reds.sum() + blues.sum()) == pytest.approx(12 / 50, abs=0.01)
 
 
-def test_every_action_colour_can_be_read_as_text_on_white():
-    for index in range(7):
-        channels = np.array(legible(action_colour(index))) / 255.0
-        linear = np.where(
-            channels <= 0.04045, channels / 12.92, ((channels + 0.055) / 1.055) ** 2.4
-        )
-        luminance = linear @ [0.2126, 0.7152, 0.0722]
-        assert 1.05 / (luminance + 0.05) >= 4.5
-    assert legible(LIGHT.ink) == LIGHT.ink
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_colour_can_be_made_text_that_is_read_on_its_ground(theme: Theme):
+    given = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values(), theme.contact]
+    for colour in given:
+        assert contrast(theme.legible(colour), theme.ground) >= 4.5
+    assert theme.legible(theme.ink) == theme.ink
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_colour_stands_out_from_its_ground(theme: Theme):
+    named = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values()]
+    for colour in (*named, *OTHER_LEARNERS, theme.contact, theme.wall, theme.pedestrian):
+        assert contrast(colour, theme.panel) >= 2.1
+
+
+def test_an_action_has_its_colour_whichever_others_are_shown():
+    whole = LIGHT.of(["forward", "stop", "turn_left"])
+    assert whole.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[2]
+    assert LIGHT.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[0]
+
+
+def test_contrast_is_that_of_the_guidelines():
+    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
+    assert contrast((119, 119, 119), (255, 255, 255)) == pytest.approx(4.48, abs=0.01)

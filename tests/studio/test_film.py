@@ -12,7 +12,7 @@ from studio.painter.encode import Segment, write_mp4
 from studio.painter.film import compose_film, frame_times, lay_out, play, play_speed, write_film
 from studio.painter.film_crowd import Ghosts, Trails
 from studio.painter.picture import draw_picture
-from studio.palette import CONTACT
+from studio.palette import LIGHT
 
 SIZE = (640, 360)
 MANY_ACTIONS = tuple(MetaAction(f"action number {index}", 0.1 * index, 0.0) for index in range(20))
@@ -122,7 +122,7 @@ def test_robots_turn_red_when_they_touch_something_and_not_before(default):
         assert any(
             text.text == f"{4 if len(reds) > 1 else 0} of 4 contact" for text in canvas.texts
         )
-        reds.append(int((canvas.pixels == CONTACT).all(axis=-1).sum()))
+        reds.append(int((canvas.pixels == LIGHT.contact).all(axis=-1).sum()))
     assert reds[:2] == [0, 0]
     assert min(reds[2:]) > 500
 

@@ -13,7 +13,7 @@ from studio.painter.learning import (
     draw_learning_picture,
     write_learning_picture,
 )
-from studio.palette import CONTACT, LEARNER_COLOURS, LIGHT
+from studio.palette import LEARNER_COLOURS, LIGHT
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
 THREE = tuple(TEACHERS.values())
@@ -156,7 +156,7 @@ def test_every_learner_has_its_colour_and_none_that_of_contact():
     pixels = draw_learning_picture(*case(learners=("eu", "cpt", "cpt-tied")))
     for learner in ("eu", "cpt", "cpt-tied"):
         assert has_colour(pixels, LEARNER_COLOURS[learner])
-    assert not has_colour(pixels, CONTACT)
+    assert not has_colour(pixels, LIGHT.contact)
     assert not has_colour(draw_learning_picture(*case(learners=("eu",))), LEARNER_COLOURS["cpt"])
 
 

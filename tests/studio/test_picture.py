@@ -9,7 +9,7 @@ from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, sim
 from studio.errors import InputError, RunError
 from studio.judgements import judge
 from studio.painter.picture import compose_picture, draw_picture, write_png
-from studio.palette import CONTACT, LIGHT
+from studio.palette import LIGHT
 
 SIZES = [(640, 360), (1280, 720), (1600, 900), (3840, 2160), (1000, 1400)]
 
@@ -64,7 +64,7 @@ def default():
 
 
 def red_pixels(pixels):
-    return int((pixels == CONTACT).all(axis=-1).sum())
+    return int((pixels == LIGHT.contact).all(axis=-1).sum())
 
 
 def with_contacts(rollouts, step):

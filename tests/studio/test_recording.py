@@ -29,7 +29,7 @@ from scenes import (
     scene_from_toml,
 )
 from studio.judgements import Judgement, judge
-from studio.palette import CONTACT, action_colour
+from studio.palette import ACTION_COLOURS, LIGHT
 from studio.recorder.log_outcomes import bin_edges
 from studio.recorder.recording import SCHEMA_VERSION, write_recording
 from studio.recorder.stream import recording_to
@@ -176,7 +176,7 @@ def test_a_robot_is_red_from_the_step_of_its_contact(recording: Path) -> None:
         info["class_id"]: info["class_description"]["info"]["color"]
         for info in entities["/world"]["AnnotationContext:context"][0][0]
     }
-    expected = [CONTACT, action_colour(0), action_colour(1)]
+    expected = [LIGHT.contact, *ACTION_COLOURS[:2]]
     assert colours == {
         number: (red << 24) | (green << 16) | (blue << 8) | 255
         for number, (red, green, blue) in enumerate(expected)
