@@ -1,4 +1,4 @@
-"""Output files that are whole or not there."""
+"""Files: output that is whole or not there, and recordings that really are such."""
 
 import os
 from collections.abc import Iterator
@@ -56,3 +56,20 @@ def _prepare(path: Path, part: Path, made: list[Path]) -> None:
         part.touch()
     except OSError as error:
         raise InputError(f"--out: {path}: cannot be written: {error.strerror}") from None
+
+
+def check_is_recording(path: Path) -> None:
+    """Make sure that a file begins like a Rerun recording.
+
+    Raises:
+        InputError: if it does not, or cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            start = file.read(3)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    if not start:
+        raise InputError(f"{path}: is empty: a recording (.rrd) is needed")
+    if start != b"RRF":
+        raise InputError(f"{path}: is not a recording (.rrd)")

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from studio.errors import InputError, RunError
-from studio.files import replacing
+from studio.errors import RunError
+from studio.files import check_is_recording, replacing
 from studio.progress import Quiet
 from studio.sources import Source, find_scene
 
@@ -249,18 +249,3 @@ def write_table(path: Path, table: pa.Table) -> None:
     import pyarrow.parquet as pq
 
     pq.write_table(table, path, compression="zstd")
-
-
-def check_is_recording(path: Path) -> None:
-    """Make sure that a file looks like a Rerun recording.
-
-    Raises:
-        InputError: if it does not.
-    """
-    try:
-        with path.open("rb") as file:
-            start = file.read(4)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    if start not in (b"RRF2", b"RRF0", b"RRF1"):
-        raise InputError(f"{path}: is not a Rerun recording (.rrd)")

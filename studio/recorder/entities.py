@@ -14,6 +14,7 @@ GRID = "world/grid"
 WALLS = "world/walls"
 TASK = "world/task"
 LABELS = "world/labels"
+WITHOUT_ROBOT = "world/without_robot"
 FIGURES = "figures"
 COMPARISON = "figures/comparison"
 COMPARED_OUTCOMES = "figures/comparison/outcomes"
@@ -25,6 +26,8 @@ JUDGEMENTS = "judgements"
 CLEARANCE = "clearance"
 SUMMARY = "summary"
 ABOUT = "about"
+SCENE = "/__properties/scene"
+SIMULATION = "/__properties/simulation"
 
 
 def action(name: str) -> str:

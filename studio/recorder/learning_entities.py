@@ -12,6 +12,7 @@ GROUND = "ground"
 FIGURES = "figures"
 SUMMARY = "summary"
 ABOUT = "about"
+STUDY = "/__properties/study"
 
 
 def page(teacher: str) -> str:

@@ -41,9 +41,8 @@ GOLDEN_RATIO = 0.618034
 
 def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     """Keep the numbers of every outcome: one row a rollout, the actions one after another."""
-    features = rollouts.features.astype(np.float32)
     columns: dict[str, Any] = {
-        feature: features[..., column].ravel() for column, feature in enumerate(FEATURES)
+        feature: rollouts.features[..., column].ravel() for column, feature in enumerate(FEATURES)
     }
     columns["contact_step"] = rollouts.contact_step.ravel()
     stream.log(entities.OUTCOMES, rr.AnyValues(**columns), static=True)

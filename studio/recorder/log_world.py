@@ -167,6 +167,21 @@ def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme:
     )
 
 
+def log_without_robot(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
+    """Keep the K times P walks of the people had the robot not been there, one line a walk."""
+    walks = rounded(rollouts.without_robot).swapaxes(1, 2)  # (K, P, T+1, 2)
+    stream.log(
+        entities.WITHOUT_ROBOT,
+        rr.LineStrips2D(
+            list(walks.reshape(-1, *walks.shape[2:])),
+            colors=blend(theme.pedestrian, theme.panel, 0.25),
+            radii=rr.Radius.ui_points(0.5),
+            draw_order=-5.0,
+        ),
+        static=True,
+    )
+
+
 def rounded(values: FloatArray, resolution: float = RESOLUTION) -> FloatArray:
     """The nearest multiples of the resolution."""
     near: FloatArray = np.round(values / resolution) * resolution

@@ -28,10 +28,10 @@ from studio.recorder.log_outcomes import (
     log_distributions,
     log_outcomes,
 )
-from studio.recorder.log_world import log_action, log_scene
+from studio.recorder.log_world import log_action, log_scene, log_without_robot
 from studio.recorder.stream import recording_to
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
 
 PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce", "torch")
@@ -54,12 +54,13 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     versions = package_versions()
     theme = LIGHT.of(action.name for action in rollouts.actions)
     with recording_to(path, entities.APPLICATION, _identity(rollouts), blueprint) as stream:
-        log_properties(stream, rollouts, versions)
+        log_properties(stream, rollouts, judgements, versions)
         log_ground(stream, entities.GROUND)
         log_scene(stream, rollouts, bounds, theme)
         for index in range(len(rollouts.actions)):
             log_action(stream, rollouts, index, theme)
         if rollouts.scene.pedestrians:
+            log_without_robot(stream, rollouts, theme)
             log_clearance(stream, rollouts, theme)
         log_outcomes(stream, rollouts)
         log_judgements(stream, judgements)
@@ -71,11 +72,13 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
 def log_properties(
     stream: rr.RecordingStream,
     rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
     versions: dict[str, str],
 ) -> None:
     """Name the recording and say what is needed to make it again."""
     scene, actions = rollouts.scene, rollouts.actions
     stream.send_recording_name(f"{scene.name}, seed {rollouts.seed}")
+    teachers = {each.teacher: asdict(each.parameters) for each in judgements}
     # a component costs a kilobyte however little it holds, hence text where there are many
     stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
     stream.send_property(
@@ -92,6 +95,7 @@ def log_properties(
             noise=tomli_w.dumps(asdict(rollouts.noise)),
             limits=tomli_w.dumps(asdict(rollouts.limits)),
             actions=tomli_w.dumps({"actions": [asdict(action) for action in actions]}),
+            teachers=tomli_w.dumps(teachers),
             versions=tomli_w.dumps(versions),
         ),
     )

@@ -209,7 +209,7 @@ def test_an_output_place_that_cannot_be_is_refused(command: str, tmp_path: Path)
 def test_a_film_is_not_a_recording(tmp_path: Path) -> None:
     (tmp_path / "film.rrd").write_bytes(b"....ftypisom")
     result = run("view", tmp_path / "film.rrd")
-    assert "is not a Rerun recording" in only_line(result)
+    assert "is not a recording" in only_line(result)
     assert result.exit_code == 2
 
 

@@ -1,0 +1,124 @@
+"""What a recording file holds, as arrays: the inverse of logging, for any recording."""
+
+import warnings
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.compute as pc
+from numpy.typing import NDArray
+from rerun.chunk import RrdReader
+from rerun.error_utils import RerunWarning
+
+from studio.errors import InputError
+from studio.files import check_is_recording
+
+
+@dataclass(frozen=True)
+class Contents:
+    """What a recording file holds.
+
+    Attributes:
+        path: of the file, as the user named it.
+        application: the id of the application that it belongs to.
+        batches: rows of each entity, in the order of the file.
+    """
+
+    path: Path
+    application: str
+    batches: dict[str, list[pa.RecordBatch]]
+
+    def has(self, entity: str, component: str) -> bool:
+        """Whether an entity has a component."""
+        return any(component in batch.schema.names for batch in self.batches.get(entity, []))
+
+    def static(self, entity: str, component: str) -> NDArray[Any]:
+        """The values of a component that does not change, [N] or [N, ...].
+
+        Raises:
+            InputError: if there is no such thing.
+        """
+        return _numbers(self._column(entity, component)[-1].values)
+
+    def text(self, entity: str, component: str) -> str:
+        """A single text that does not change.
+
+        Raises:
+            InputError: if there is no such thing.
+        """
+        return str(self.static(entity, component)[0])
+
+    def over_time(self, entity: str, component: str) -> NDArray[Any]:
+        """The values of a component of equal length at all times, in order of time, [T, N, ...].
+
+        Raises:
+            InputError: if there is no such thing, or the lengths differ.
+        """
+        rows = self._column(entity, component)
+        values = rows.flatten()
+        if len(values) % max(len(rows), 1):
+            raise self.damaged(f"{entity} {component} changes its length")
+        numbers = _numbers(values)
+        return numbers.reshape(len(rows), -1, *numbers.shape[1:])
+
+    def rows(self, entity: str, timeline: str) -> list[dict[str, Any]]:
+        """Every row of an entity that stands on a timeline, in order of time.
+
+        Returns:
+            A row's time under the name of the timeline, and its components, each a list.
+        """
+        found = []
+        for batch in self.batches.get(entity, []):
+            if timeline in batch.schema.names:
+                found += batch.to_pylist()
+        return sorted(found, key=lambda row: int(row[timeline]))
+
+    def damaged(self, what: str) -> InputError:
+        """The error to raise where something is not as the studio writes it."""
+        return InputError(f"{self.path}: is damaged, or not a recording of the studio: {what}")
+
+    def _column(self, entity: str, component: str) -> pa.ListArray:
+        parts = [
+            batch.column(component).cast(pa.list_(batch.schema.field(component).type.value_type))
+            for batch in self.batches.get(entity, [])
+            if component in batch.schema.names
+        ]
+        if not parts:
+            raise self.damaged(f"it has no {component} at {entity}")
+        column = pa.concat_arrays(parts)
+        return column.filter(pc.is_valid(column))
+
+
+def _numbers(values: pa.Array) -> NDArray[Any]:
+    """Values, or points of several coordinates, as an array."""
+    if pa.types.is_fixed_size_list(values.type):
+        inner = _numbers(values.flatten())
+        return inner.reshape(len(values), values.type.list_size)
+    array: NDArray[Any] = values.to_numpy(zero_copy_only=False)
+    return array
+
+
+def read_contents(path: Path) -> Contents:
+    """Read a recording file.
+
+    Raises:
+        InputError: if the file cannot be read, or is not a whole recording.
+    """
+    check_is_recording(path)
+    try:
+        with warnings.catch_warnings():
+            # what is cut off between two messages lacks nothing but the footer
+            warnings.simplefilter("error", RerunWarning)
+            reader = RrdReader(path)
+            recordings = reader.recordings()
+            chunks = reader.stream().to_chunks()
+    except (RuntimeError, ValueError, RerunWarning):
+        raise InputError(f"{path}: is cut off or damaged: a whole recording is needed") from None
+    if len(recordings) != 1:
+        raise InputError(f"{path}: holds {len(recordings)} recordings: one is needed")
+    batches: dict[str, list[pa.RecordBatch]] = defaultdict(list)
+    for chunk in chunks:
+        batches[chunk.entity_path].append(chunk.to_record_batch())
+    return Contents(path, recordings[0].application_id, dict(batches))
