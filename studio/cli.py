@@ -384,4 +384,5 @@ def _print_learned(learned: Learned) -> None:
 
 
 def _size(file: Path) -> str:
-    return f"{file.stat().st_size / 1e6:.1f} MB"
+    count = file.stat().st_size
+    return f"{count / 1e6:.1f} MB" if count >= 5e4 else f"{count / 1e3:.0f} kB"

@@ -6,7 +6,8 @@ and by people who see colours differently. What else a reader needs to know is f
 `paper_caption` suggests one, and it is kept in the file's metadata.
 
 The type of a PDF is embedded as TrueType (type 42). SVG has no way to embed fonts that all programs
-heed, so letters are outlines there. The same table gives the same bytes: files bear no date.
+heed, so letters are outlines there. Files bear no date: with one version of matplotlib, the same
+table gives the same bytes.
 """
 
 from collections.abc import Sequence
