@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from studio.errors import InputError, RunError
+from studio.figures import check_figure
 from studio.files import replacing
 from studio.progress import Quiet
 from studio.sources import Source, find_scene
@@ -261,20 +261,6 @@ def write_table(path: Path, table: pa.Table) -> None:
     import pyarrow.parquet as pq
 
     pq.write_table(table, path, compression="zstd")
-
-
-def check_figure(path: Path) -> Path:
-    """Make sure that a figure for a paper can be drawn into this file.
-
-    Raises:
-        InputError: if the file is of another kind, or matplotlib is missing.
-    """
-    if path.suffix.lower() not in (".pdf", ".svg"):
-        raise InputError(f"--figure: {path} is not allowed: a name that ends in .pdf or .svg")
-    if find_spec("matplotlib") is None:
-        install = "pip install 'prospect-studio[figures]'"
-        raise InputError(f"--figure: matplotlib is not installed: {install}")
-    return path
 
 
 def check_is_recording(path: Path) -> None:
