@@ -286,6 +286,12 @@ def sample(out: Path, **plan: Any) -> None:
     help="Numbers of pairs to learn from.",
 )
 @click.option("--seeds", default=5, show_default=True, help="Repetitions.")
+@click.option(
+    "--figure",
+    type=click.Path(path_type=Path),
+    metavar="FILE.pdf|FILE.svg",
+    help="Also write the figure for a paper; needs the package's extra `figures`.",
+)
 @_OUT_FOLDER
 def learn(
     outcomes: Path | None,
@@ -295,6 +301,7 @@ def learn(
     learners: tuple[str, ...],
     pairs: tuple[str, ...],
     seeds: int,
+    figure: Path | None,
     out: Path,
 ) -> None:
     """Study how well learners recover what teachers want.
@@ -312,7 +319,8 @@ def learn(
     except ValueError:
         raise InputError(f"--pairs: {','.join(pairs)!r} are not whole numbers") from None
     who = read_teachers(teachers, profiles, beta)
-    learned = Studio(out, Terminal()).learn(outcomes, who, learners, sizes, seeds)
+    studio = Studio(out, Terminal())
+    learned = studio.learn(outcomes, who, learners, sizes, seeds, figure=figure)
     _print_learned(learned)
 
 
@@ -369,9 +377,12 @@ def _print_learned(learned: Learned) -> None:
     unsettled = sum(not converged for converged in learned.table["converged"].to_pylist())
     if unsettled:
         click.echo(f"{unsettled} of {learned.table.num_rows} fits did not converge")
+    if learned.caption:
+        click.echo(f"caption: {learned.caption}")
     for file in learned.files:
         click.echo(f"{file}  {_size(file)}")
 
 
 def _size(file: Path) -> str:
-    return f"{file.stat().st_size / 1e6:.1f} MB"
+    count = file.stat().st_size
+    return f"{count / 1e6:.1f} MB" if count >= 5e4 else f"{count / 1e3:.0f} kB"

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from studio.errors import RunError
+from studio.figures import check_figure
 from studio.files import check_is_recording, replacing
 from studio.progress import Quiet
 from studio.sources import Source, find_scene
@@ -36,11 +37,13 @@ class Learned:
 
     Attributes:
         table: one row a fit, see `learners.STUDY_SCHEMA`.
-        files: what was written: table, picture, recording.
+        files: what was written: table, picture, recording, and the figure if one was wanted.
+        caption: a caption for the figure, in one line; empty without a figure.
     """
 
     table: pa.Table
     files: tuple[Path, ...]
+    caption: str = ""
 
 
 @dataclass(frozen=True)
@@ -138,6 +141,7 @@ class Studio:
         learners: Sequence[Learner | str] = ("eu", "cpt"),
         pairs: Sequence[int] = (25, 50, 100, 200, 500, 1000, 2000),
         seeds: int = 5,
+        figure: str | Path | None = None,
     ) -> Learned:
         """Study how well learners recover what teachers want; write table, picture and recording.
 
@@ -151,11 +155,13 @@ class Studio:
             learners: who learns, or names of `learners.LEARNERS`.
             pairs: numbers of pairs to learn from.
             seeds: how many repetitions.
+            figure: the figure for a paper to write as well, a PDF or SVG file.
 
         Raises:
-            InputError: if the folder cannot be written to, or something cannot be studied
-                (`learners.InputError`, `scenes.InputError`).
+            InputError: if the folder cannot be written to, the figure cannot be drawn, or something
+                cannot be studied (`learners.InputError`, `scenes.InputError`).
         """
+        drawn = () if figure is None else (check_figure(Path(figure)),)
         from learners import find_learners, find_teachers, read_bank
         from learners.study import Study
 
@@ -164,7 +170,8 @@ class Studio:
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / ".learning.unfinished.parquet"
         files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
-        with replacing(*files) as [parquet, png, rrd]:
+        caption = ""
+        with replacing(*files, *drawn) as [parquet, png, rrd, *papers]:
             table = self._study(study, unfinished)
 
             from studio.painter.learning import write_learning_picture
@@ -173,8 +180,13 @@ class Studio:
             write_table(parquet, table)
             write_learning_picture(png, table, study.teachers)
             write_learning_recording(rrd, table, study.teachers, {"outcomes": bank.name})
+            for paper in papers:
+                from studio.painter.paper_figure import paper_caption, write_paper_figure
+
+                write_paper_figure(paper, table, study.teachers)
+                caption = paper_caption(table, study.teachers)
         unfinished.unlink(missing_ok=True)
-        return Learned(table, files)
+        return Learned(table, (*files, *drawn), caption)
 
     def _study(self, study: Study, unfinished: Path) -> pa.Table:
         """Run a study, keeping what is finished in a file."""

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-HEAVY = ("rerun", "cv2", "av", "torch", "numba", "pysocialforce")
+HEAVY = ("rerun", "cv2", "av", "torch", "numba", "pysocialforce", "matplotlib")
 
 
 def test_rooms_import_only_what_they_may() -> None:

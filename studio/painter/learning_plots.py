@@ -199,13 +199,13 @@ def end_labels(
     step = 1.12 * size
     shown = sorted(labels, key=lambda label: label[0])[: max(1, int(column.height / step))]
     heights = [y for y, _, _ in shown]
-    centres = _spread(heights, step, column.top + step / 2, column.bottom - step / 2)
+    centres = spread_apart(heights, step, column.top + step / 2, column.bottom - step / 2)
     for middle, (_, wordings, colour) in zip(centres, shown, strict=True):
         text = canvas.fitted(wordings, column.right - left, size, SEMIBOLD)
         canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
 
-def _spread(heights: Sequence[float], step: float, low: float, high: float) -> list[float]:
+def spread_apart(heights: Sequence[float], step: float, low: float, high: float) -> list[float]:
     """Heights moved so far apart that neighbours are a step away from one another.
 
     Args:
