@@ -1,6 +1,6 @@
 """Every kind of recording, seen in the real Rerun viewer."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -20,8 +20,6 @@ BLANK = 0.01
 
 Ours have 4 % and more; an empty plot with the numbers of its axes has 0.5 %, "No data" 0.1 %.
 """
-
-Opened = Callable[[Path], "contextmanager[HeadlessViewer]"]
 
 
 @pytest.fixture
@@ -116,7 +114,7 @@ def test_what_is_wrong_with_a_recording_is_found(opened, flawed):
         assert problem.startswith("broken: error: Invalid data length")
 
 
-def test_what_is_no_recording_is_refused(opened, tmp_path, left_running):
+def test_what_is_no_recording_is_refused(opened, tmp_path):
     with pytest.raises(InputError, match="cannot be read"), opened(tmp_path / "none.rrd"):
         pass
     cut = tmp_path / "cut.rrd"
