@@ -167,9 +167,10 @@ PLAY = """
     canvas.height = video.videoHeight;
     const pictures = [];
     for (const seconds of %s) {
-        let frame = shown();
+        let late, frame = shown();
         video.currentTime = seconds;
-        while (Math.abs((await frame).mediaTime - seconds) > 1 / %d) frame = shown();
+        // what was shown before may come once more
+        while (late = seconds - (await frame).mediaTime, late < 0 || late > 1 / %d) frame = shown();
         canvas.getContext("2d").drawImage(video, 0, 0);
         pictures.push(canvas.toDataURL("image/png").split(",")[1]);
     }
