@@ -31,7 +31,7 @@ import rerun_cli
 from rerun.experimental import ViewerClient
 
 from studio.errors import RunError
-from studio.orchestrator import check_is_recording
+from studio.files import check_is_recording
 
 Picture = TypeVar("Picture")
 
