@@ -7,7 +7,7 @@ import numpy as np
 import rerun as rr
 
 from learners import Teacher
-from studio.naming import counted, learner_name, number, teacher_name
+from studio.naming import counted, learner_name, teacher_name
 from studio.recorder import learning_entities as entities
 from studio.recorder.learning_results import Results
 
@@ -77,13 +77,15 @@ def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> li
     lines += ["| scene | who | picks | regret | of random |", "|:--|:--|:--|--:|--:|"]
     for scene in scenes:
         told, link = results.scenes[scene], links.get(scene)
-        name = f"[{link.name}](<{link.path}>)" if link else f"{told.family}, {scene}"
+        name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
         rows = [
             f"the teacher | {told.best[teacher.name]} | 0 |  |",
             *(_row(results, teacher, learner, scene, pairs) for learner in results.learners),
         ]
-        marks = [name, told.pattern, *([""] * len(rows))]
-        lines += [f"| {mark} | {row}" for mark, row in zip(marks, rows, strict=False)]
+        marks = [name, told.pattern, f"{_runs(results, teacher, scene)} of {results.seeds} seeds"]
+        marks += [""] * (len(rows) - len(marks))
+        rows += [" |  |  |  |"] * (len(marks) - len(rows))
+        lines += [f"| {mark} | {row}" for mark, row in zip(marks, rows, strict=True)]
     return [*lines, ""]
 
 
@@ -96,8 +98,19 @@ def _row(results: Results, teacher: Teacher, learner: str, scene: int, pairs: in
     at = int(np.flatnonzero(regrets.scenes == scene)[0])
     regret = float(regrets.regret[at])
     cost = results.scenes[scene].random_regret[teacher.name]
-    percent = 100.0 * regret / cost if cost > 0.0 else 0.0
-    return f"{name} | {regrets.picks[at]} | {number(regret, '.3f')} | {percent:.0f} % |"
+    if regret <= 0.0:
+        return f"{name} | {regrets.picks[at]} | 0 |  |"
+    return f"{name} | {regrets.picks[at]} | {regret:.3f} | {100.0 * regret / cost:.0f} % |"
+
+
+def _runs(results: Results, teacher: Teacher, scene: int) -> int:
+    """How many seeds held a scene out."""
+    return max(
+        int(each.runs[each.scenes == scene].sum())
+        for learner in results.learners
+        for pairs in results.sizes
+        if (each := results.scene_regrets(teacher, learner, pairs)) is not None
+    )
 
 
 def _recordings(links: Links) -> list[str]:
