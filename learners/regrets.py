@@ -175,9 +175,9 @@ def scene_regrets(table: pa.Table) -> list[SceneRegrets]:
 def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
     """The scenes that tell most about the learners of each teacher, the most telling first.
 
-    These are the scenes in which the learners' regrets differ most at the largest number of pairs;
-    where there is but one learner, those in which its regret is largest. Scenes without a
-    difference, or without regret, are left out.
+    These are the scenes in which the learners' regrets differ most at the largest number of pairs
+    and, where they do not differ, in which the regret is largest. Scenes without regret are left
+    out.
 
     Args:
         table: rows of a study.
@@ -194,10 +194,9 @@ def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
         learners = [each for each in ours if each.pairs == last]
         shared = sorted(set.intersection(*(set(each.scenes.tolist()) for each in learners)))
         by_learner = np.array([each.regret[np.isin(each.scenes, shared)] for each in learners])
-        least = by_learner.min(axis=0) if len(learners) > 1 else 0.0
-        telling = by_learner.max(axis=0) - least  # (S,)
-        order = np.argsort(-telling, kind="stable")[:count]
-        found[teacher] = tuple(shared[place] for place in order if telling[place] > 0.0)
+        most = by_learner.max(axis=0)  # (S,)
+        order = np.lexsort((-most, by_learner.min(axis=0) - most))
+        found[teacher] = tuple(shared[place] for place in order if most[place] > 0.0)[:count]
     return found
 
 

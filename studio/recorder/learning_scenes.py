@@ -43,7 +43,11 @@ def log_scenes(stream: rr.RecordingStream, results: Results, links: Links) -> No
 def scenes_page(results: Results, links: Links, pairs: int) -> str:
     """The scenes in which learners differ most, with links to the recordings there are."""
     several = len(results.learners) > 1
-    chosen = "in which the learners' regrets differ most" if several else "of the largest regret"
+    chosen = (
+        "in which the learners' regrets differ most (or else are largest)"
+        if several
+        else "of the largest regret"
+    )
     return "\n".join(
         [
             f"# Regret by scene after {counted(pairs, 'pair')}",
@@ -73,7 +77,7 @@ def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> li
     scenes = results.telling[teacher.name]
     lines = [f"## {teacher_name(teacher.name)} teacher", ""]
     if not scenes:
-        return [*lines, "The learners do not differ in any scene.", ""]
+        return [*lines, "No learner has regret in any scene.", ""]
     lines += ["| scene | who | picks | regret | of random |", "|:--|:--|:--|--:|--:|"]
     for scene in scenes:
         told, link = results.scenes[scene], links.get(scene)
