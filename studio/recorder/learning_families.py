@@ -19,8 +19,12 @@ from studio.recorder.learning_results import FAMILY_COLUMNS, Results
 FAMILIES = "families"
 """Name of the figure, as a part of entity paths."""
 
-STRIP = 0.21
-"""Height of the strip of one learner in one family, in units of the page."""
+TALLEST_STRIP, LEAST_STRIP = 0.21, 0.09
+"""Height of the strip of one learner in one family, in units of the page: what looks good, and what
+the words beside it need."""
+
+ROOM = 2.4
+"""Height that all strips share as long as they need no more, in units of the page."""
 
 HEADING = 0.13
 """Height of the name of a family above its strips, in units of the page."""
@@ -57,18 +61,29 @@ class FamilyFigure:
     scale: Scale
 
     @property
+    def strip_height(self) -> float:
+        """Of one learner in one family, in units of the page."""
+        share = (ROOM / len(self.families) - HEADING) / len(self.learners)
+        return max(LEAST_STRIP, min(TALLEST_STRIP, share))
+
+    @property
+    def family_height(self) -> float:
+        """Of one family with its name, in units of the page."""
+        return HEADING + self.strip_height * len(self.learners)
+
+    @property
     def height(self) -> float:
         """From the lowest strip to the name of the highest family, in units of the page."""
-        return len(self.families) * (HEADING + STRIP * len(self.learners))
+        return len(self.families) * self.family_height
 
     def strip(self, family: str, learner: str) -> float:
         """How high the middle of a strip lies."""
-        return self.heading(family) - HEADING / 2.0 - STRIP * (self.learners.index(learner) + 0.5)
+        above = HEADING / 2.0 + self.strip_height * (self.learners.index(learner) + 0.5)
+        return self.heading(family) - above
 
     def heading(self, family: str) -> float:
         """How high the name of a family lies."""
-        above = self.families.index(family) * (HEADING + STRIP * len(self.learners))
-        return self.height - above - HEADING / 2.0
+        return self.height - self.families.index(family) * self.family_height - HEADING / 2.0
 
     def across(self, percent: FloatArray) -> FloatArray:
         """Where regrets lie along the page; what is off the scale lies at its end."""
@@ -83,16 +98,17 @@ class FamilyFigure:
 
 def family_figure(results: Results) -> FamilyFigure:
     """The figure, large enough for the regrets of all teachers at any time."""
-    percents = [
-        percent
-        for teacher in results.teachers
-        for learner in results.learners
-        for pairs in results.sizes
-        if (regrets := results.scene_regrets(teacher, learner, pairs)) is not None
-        for percent in scene_percents(results, teacher, regrets).tolist()
-        if percent > 0.0
-    ]
-    low = max(LEAST_PERCENT, min(percents, default=LEAST_PERCENT))
+    percents: list[float] = []
+    for teacher in results.teachers:
+        for learner in results.learners:
+            for family in results.families:
+                curve = results.family_curve("regret_percent", family, teacher, learner)
+                percents += [] if curve is None else curve.mean.tolist()
+            for pairs in results.sizes:
+                regrets = results.scene_regrets(teacher, learner, pairs)
+                if regrets is not None:
+                    percents += scene_percents(results, teacher, regrets).tolist()
+    low = max(LEAST_PERCENT, min((each for each in percents if each > 0.0), default=LEAST_PERCENT))
     scale = ratio_scale(low, max([*percents, 10.0 * low]), unit=" %")
     tens = [np.log10(tick).round(6) % 1.0 == 0.0 for tick in scale.ticks]
     words = [word if is_ten else "" for word, is_ten in zip(scale.words, tens, strict=True)]
@@ -126,11 +142,11 @@ def draw_strips(drawing: Drawing, results: Results, figure: FamilyFigure) -> Non
         count = sum(scene.family == family for scene in results.scenes.values())
         drawing.text((0.5, figure.heading(family)), f"{short(family)}, {counted(count, 'scene')}")
         top = figure.heading(family) - HEADING / 2.0
-        bottom = top - STRIP * len(figure.learners)
+        bottom = top - figure.strip_height * len(figure.learners)
         for tick, x in zip(ticks, figure.across(np.array(ticks)), strict=True):
             drawing.line([(x, bottom), (x, top)], LIGHT.faint if tick == 100.0 else LIGHT.grid, 1.0)
         for place in range(len(figure.learners) + 1):
-            y = top - STRIP * place
+            y = top - figure.strip_height * place
             drawing.line([(0.0, y), (NOTHING, y)], LIGHT.grid, 1.0)
             drawing.line([(SCALE_LEFT, y), (1.0, y)], LIGHT.grid, 1.0)
         for x in (0.0, NOTHING):
@@ -161,7 +177,7 @@ def draw_scenes(
     ringed = []
     for scene, across, share in places:
         middle = figure.strip(results.scenes[scene].family, regrets.learner)
-        spot = (float(across), middle + STRIP * 0.8 * (share - 0.5))
+        spot = (float(across), middle + 0.8 * figure.strip_height * (share - 0.5))
         if scene in results.telling[teacher.name]:
             ringed.append(spot)
         else:

@@ -78,6 +78,7 @@ def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> li
     lines = [f"## {teacher_name(teacher.name)} teacher", ""]
     if not scenes:
         return [*lines, "No learner has regret in any scene.", ""]
+    seeds = counted(results.seeds, "seed")
     lines += ["| scene | who | picks | regret | of random |", "|:--|:--|:--|--:|--:|"]
     for scene in scenes:
         told, link = results.scenes[scene], links.get(scene)
@@ -86,7 +87,7 @@ def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> li
             f"the teacher | {told.best[teacher.name]} | 0 |  |",
             *(_row(results, teacher, learner, scene, pairs) for learner in results.learners),
         ]
-        marks = [name, told.pattern, f"{_runs(results, teacher, scene)} of {results.seeds} seeds"]
+        marks = [name, told.pattern, f"{_runs(results, teacher, scene)} of {seeds}"]
         marks += [""] * (len(rows) - len(marks))
         rows += [" |  |  |  |"] * (len(marks) - len(rows))
         lines += [f"| {mark} | {row}" for mark, row in zip(marks, rows, strict=True)]

@@ -37,7 +37,7 @@ from studio.recorder.learning_axes import (
     round_ticks,
 )
 from studio.recorder.learning_curves import REGRET
-from studio.recorder.learning_families import NOTHING, STRIP, family_figure, scene_percents
+from studio.recorder.learning_families import NOTHING, family_figure, scene_percents
 from studio.recorder.learning_minds import value_figure, visible
 from studio.recorder.learning_results import CURVE_COLUMNS, FAMILY_COLUMNS, Results
 from studio.recorder.learning_scenes import SceneLink
@@ -241,7 +241,7 @@ def test_every_held_out_scene_and_every_mean_is_drawn(recording: Path, table: pa
     percents = scene_percents(results, TEACHERS["tk"], regrets)
     for scene, percent in zip(regrets.scenes.tolist(), percents, strict=True):
         middle = figure.strip(results.scenes[scene].family, "cpt")
-        beside = drawn[np.abs(drawn[:, 1] - middle) < STRIP / 2.0]
+        beside = drawn[np.abs(drawn[:, 1] - middle) < figure.strip_height / 2.0]
         if percent > 0.0:
             assert np.abs(beside[:, 0] - figure.across(np.array(percent))).min() < 1e-5
         else:
