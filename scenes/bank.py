@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field, fields
 from importlib.metadata import version
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pyarrow as pa
@@ -214,7 +214,9 @@ def read_plan(path: Path) -> BankPlan | None:
     """
     try:
         said = json.loads((pq.read_schema(path).metadata or {})[b"prospect_studio"])
-        if said["bank_version"] != BANK_VERSION or said["dt"] != DEFAULT_STEP:
+        if (said["bank_version"], said["dt"]) != (BANK_VERSION, DEFAULT_STEP):
+            return None
+        if said["engine"] not in get_args(Engine):
             return None
         plain = {each.name: said[each.name] for each in fields(BankPlan)}
         made = {

@@ -50,6 +50,9 @@ def scenes_again(
     from scenes import InputError
     from scenes.bank import planned_scene, simulate_planned
 
+    actions = tuple(action.name for action in plan.actions)
+    if (actions, plan.rollouts) != (prospects.actions, prospects.features.shape[2]):
+        return
     places = {int(number): place for place, number in enumerate(prospects.scenes)}
     for number in numbers:
         try:

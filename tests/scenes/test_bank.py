@@ -117,6 +117,7 @@ def test_the_plan_gives_the_rollouts_of_the_bank(bank: Path) -> None:
         json.dumps(metadata(PLAN) | {"dt": 0.2}),
         json.dumps(metadata(PLAN) | {"noise": {"laughter": 1.0}}),
         json.dumps(metadata(PLAN) | {"scenes": -1}),
+        json.dumps(metadata(PLAN) | {"engine": "magic"}),
         json.dumps(metadata(PLAN) | {"actions": [{"name": "fly"}]}),
     ],
 )
