@@ -12,6 +12,15 @@ from learners.preference_table import read_preferences
 from learners.preferences import Pairs, Preferences, all_pairs, ask, sample_pairs
 from learners.prospects import FEATURES, Prospects, read_bank
 from learners.registry import LEARNERS, find_learners
+from learners.regrets import (
+    SceneRegrets,
+    StudyScene,
+    family_curves,
+    family_table,
+    scene_regrets,
+    study_scenes,
+    telling_scenes,
+)
 from learners.split import Split, split_scenes
 from learners.study import (
     STUDY_SCHEMA,
@@ -51,8 +60,10 @@ __all__ = [
     "Preferences",
     "Problem",
     "Prospects",
+    "SceneRegrets",
     "Split",
     "Study",
+    "StudyScene",
     "Task",
     "Teacher",
     "Weighting",
@@ -63,6 +74,8 @@ __all__ = [
     "decision_weights",
     "evaluate",
     "expected_utility",
+    "family_curves",
+    "family_table",
     "find_learners",
     "find_teachers",
     "fit_many",
@@ -73,9 +86,12 @@ __all__ = [
     "read_preferences",
     "run_study",
     "sample_pairs",
+    "scene_regrets",
     "split_scenes",
     "study_batches",
+    "study_scenes",
     "study_tasks",
+    "telling_scenes",
     "value",
     "weight",
     "whole_table",

@@ -43,6 +43,8 @@ class Evaluation:
             nats a pair.
         nll_teacher: the same if the teacher predicts the own answers: the least possible.
         calibration: of the predicted answers to all pairs of the scenes.
+        scene_regret: [S], V_teacher(best action) − V_teacher(picked action) in each scene.
+        scene_picks: [S], place of the action that the learner picks there.
     """
 
     regret: float
@@ -51,6 +53,8 @@ class Evaluation:
     nll: float
     nll_teacher: float
     calibration: Calibration
+    scene_regret: FloatArray
+    scene_picks: NDArray[np.int64]
 
 
 def evaluate(
@@ -68,7 +72,8 @@ def evaluate(
         teacher_beta: β of the teacher; the same if left out.
     """
     best = truth.max(axis=1)
-    got = np.take_along_axis(truth, values.argmax(axis=1)[:, None], axis=1)[:, 0]
+    picks = values.argmax(axis=1)
+    got = np.take_along_axis(truth, picks[:, None], axis=1)[:, 0]
     regret = float((best - got).mean())
     random_regret = float((best - truth.mean(axis=1)).mean())
 
@@ -88,6 +93,8 @@ def evaluate(
         nll=_cross_entropy(preferred, log_odds),
         nll_teacher=_cross_entropy(preferred, true_log_odds),
         calibration=_calibrate(predicted, preferred),
+        scene_regret=best - got,
+        scene_picks=picks,
     )
 
 

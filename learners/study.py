@@ -11,7 +11,7 @@ import json
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -26,6 +26,7 @@ from learners.fits import Fit, Learner
 from learners.preferences import answer, sample_pairs
 from learners.prospects import Prospects
 from learners.registry import find_learners
+from learners.regrets import METADATA, described_scenes
 from learners.split import HELD_OUT, split_scenes
 from learners.teachers import Teacher, find_teachers
 
@@ -34,12 +35,10 @@ FloatArray = NDArray[np.float64]
 SIZES = (25, 50, 100, 200, 500, 1000, 2000)
 """Numbers of pairs to learn from."""
 
-METADATA = b"prospect_study"
-"""Key of the table's metadata, JSON, that says what was studied."""
-
 # lists as Parquet files give them back
 _NUMBERS = pa.list_(pa.field("element", pa.float64()))
 _COUNTS = pa.list_(pa.field("element", pa.int64()))
+_NAMES = pa.list_(pa.field("element", pa.string()))
 
 STUDY_SCHEMA = pa.schema(
     [
@@ -70,6 +69,9 @@ STUDY_SCHEMA = pa.schema(
         pa.field("calibration_count", _COUNTS, nullable=False),
         pa.field("calibration_predicted", _NUMBERS, nullable=False),
         pa.field("calibration_preferred", _NUMBERS, nullable=False),
+        pa.field("held_out_scenes", _COUNTS, nullable=False),
+        pa.field("scene_regret", _NUMBERS, nullable=False),
+        pa.field("scene_picks", _NAMES, nullable=False),
     ]
 )
 """Columns of the table, one row a fit.
@@ -79,6 +81,9 @@ of `Evaluation`, on held-out scenes; `nll_training` is that of the fit. `certain
 answers learned from, `repeated` how many of their questions had been asked before. `theta_unit` is
 θ/‖θ‖ and `theta_cosine` the cosine between θ and the teacher's. `alpha` to `delta` are empty for
 learners of expected utility, calibration empty (null) in bins without predictions.
+`held_out_scenes` are the ids of the scenes that were kept back, ascending; `scene_regret` is the
+regret in each of them, in units of value, and `scene_picks` the action picked there. What these
+scenes are stands in the metadata, see `study_scenes`.
 """
 
 Progress = Callable[[int, int], None]
@@ -137,6 +142,11 @@ class Study:
             teacher.values(self.prospects.features[:1, :1])  # refuses a reward that does not fit
 
     @cached_property
+    def truths(self) -> dict[str, FloatArray]:
+        """What all prospects are worth to each teacher, [S, A]."""
+        return {teacher.name: teacher.values(self.prospects.features) for teacher in self.teachers}
+
+    @cached_property
     def metadata(self) -> dict[str, Any]:
         """What rows of this study depend on, apart from their own task."""
         digest = hashlib.sha256(self.prospects.features.tobytes())
@@ -146,6 +156,7 @@ class Study:
             "held_out": self.held_out,
             "teachers": {teacher.name: teacher.description() for teacher in self.teachers},
             "learners": {learner.name: learner.description() for learner in self.learners},
+            "scenes": [asdict(scene) for scene in described_scenes(self.prospects, self.truths)],
         }
 
 
@@ -197,7 +208,7 @@ def study_batches(
     total = len(study_tasks(study))
     done = total - len(missing)
     schema = _schema(study)
-    truths = {teacher.name: teacher.values(study.prospects.features) for teacher in study.teachers}
+    truths = study.truths  # before the threads begin, so that none of them does it again
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         for _, tasks in groupby(missing, key=lambda task: task.pairs):
             rows = []
@@ -291,6 +302,9 @@ def _row(study: Study, truths: dict[str, FloatArray], task: Task) -> dict[str, A
         "calibration_count": test.calibration.count.tolist(),
         "calibration_predicted": _null_where_nan(test.calibration.predicted),
         "calibration_preferred": _null_where_nan(test.calibration.preferred),
+        "held_out_scenes": study.prospects.scenes[split.held_out].tolist(),
+        "scene_regret": test.scene_regret.tolist(),
+        "scene_picks": [study.prospects.actions[place] for place in test.scene_picks],
     }
 
 
@@ -336,6 +350,9 @@ def _check_same_study(study: Study, table: pa.Table) -> None:
         theirs = json.loads((table.schema.metadata or {})[METADATA])
     except (KeyError, ValueError):
         raise InputError("table: rows without a study are not allowed: rows of a study") from None
+    for name in STUDY_SCHEMA.names:
+        if name not in table.column_names:
+            raise InputError(f"table: rows without {name!r} are not allowed: rows of this edition")
     ours = json.loads(json.dumps(study.metadata))
     for field in ("bank", "held_out"):
         if theirs.get(field) != ours[field]:

@@ -10,11 +10,11 @@ import platform
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from importlib.metadata import version
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pyarrow as pa
@@ -28,6 +28,7 @@ from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, FEATURES, PROGRESS
 from scenes.noise import Noise
 from scenes.robot import Limits
 from scenes.rollouts import DEFAULT_STEP, Engine, Rollouts, simulate
+from scenes.scene import Scene
 
 BANK_VERSION = 1
 """Version of the file's columns and metadata."""
@@ -133,8 +134,24 @@ def write_bank(
 
 def sample_rows(plan: BankPlan, number: int) -> pa.Table:
     """Simulate one scene of the plan; its rows."""
-    scene = sample_scene(plan.seed, number, plan.families or None, plan.patterns or None)
-    rollouts = simulate(
+    # the other processors have scenes of their own
+    return outcome_rows(simulate_planned(plan, planned_scene(plan, number), threads=1))
+
+
+def planned_scene(plan: BankPlan, number: int) -> Scene:
+    """The scene of this number in the plan."""
+    return sample_scene(plan.seed, number, plan.families or None, plan.patterns or None)
+
+
+def simulate_planned(plan: BankPlan, scene: Scene, threads: int | None = None) -> Rollouts:
+    """Simulate a scene of the plan as the plan wants it; the same rollouts as in the bank.
+
+    Args:
+        plan: what was sampled.
+        scene: a scene of the plan; its name may be changed.
+        threads: as for `simulate`.
+    """
+    return simulate(
         scene,
         plan.actions,
         plan.rollouts,
@@ -144,9 +161,8 @@ def sample_rows(plan: BankPlan, number: int) -> pa.Table:
         model=plan.model,
         horizon=plan.horizon,
         limits=plan.limits,
-        threads=1,  # the other processors have scenes of their own
+        threads=threads,
     )
-    return outcome_rows(rollouts)
 
 
 def outcome_rows(rollouts: Rollouts) -> pa.Table:
@@ -188,6 +204,31 @@ def metadata(plan: BankPlan) -> dict[str, Any]:
             },
         },
     }
+
+
+def read_plan(path: Path) -> BankPlan | None:
+    """The plan that a bank says it was sampled by; none if it does not say, or cannot be read.
+
+    What the plan gives today is what stands in the file if the versions of all packages are the
+    same; whoever depends on it compares the features.
+    """
+    try:
+        said = json.loads((pq.read_schema(path).metadata or {})[b"prospect_studio"])
+        if (said["bank_version"], said["dt"]) != (BANK_VERSION, DEFAULT_STEP):
+            return None
+        if said["engine"] not in get_args(Engine):
+            return None
+        plain = {each.name: said[each.name] for each in fields(BankPlan)}
+        made = {
+            "families": tuple(said["families"]),
+            "patterns": tuple(said["patterns"]),
+            "noise": Noise(**said["noise"]),
+            "limits": Limits(**said["limits"]),
+            "actions": tuple(MetaAction(**action) for action in said["actions"]),
+        }
+        return BankPlan(**(plain | made))
+    except (OSError, pa.ArrowInvalid, KeyError, TypeError, ValueError):
+        return None
 
 
 def is_bank_of(plan: BankPlan, path: Path) -> bool:

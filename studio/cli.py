@@ -307,8 +307,9 @@ def learn(
     """Study how well learners recover what teachers want.
 
     Teachers choose between pairs of actions, learners are fitted to the choices and put to the test
-    on scenes that were kept back. Writes OUT/learning.parquet, learning.png and learning.rrd; an
-    interrupted study continues where it stopped.
+    on scenes that were kept back. Writes OUT/learning.parquet, learning.png and learning.rrd, and
+    into OUT/scenes the recordings of the few scenes that learning.rrd links to; an interrupted
+    study continues where it stopped.
     """
     from studio.orchestrator import Studio
     from studio.progress import Terminal

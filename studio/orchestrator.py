@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
     from studio.judgements import Judgement
+    from studio.recorder.learning_scenes import SceneLink
 
 _COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
 
@@ -37,7 +38,8 @@ class Learned:
 
     Attributes:
         table: one row a fit, see `learners.STUDY_SCHEMA`.
-        files: what was written: table, picture, recording, and the figure if one was wanted.
+        files: what was written: table, picture, recording, the figure if one was wanted, and
+            recordings of single scenes.
         caption: a caption for the figure, in one line; empty without a figure.
     """
 
@@ -145,6 +147,9 @@ class Studio:
     ) -> Learned:
         """Study how well learners recover what teachers want; write table, picture and recording.
 
+        The few scenes in which the learners differ most are recorded too, in the folder `scenes`
+        beside, and linked to, if the bank says how to make them again.
+
         A study that was interrupted continues where it stopped: what is finished is kept beside
         the output until the whole is there.
 
@@ -177,16 +182,47 @@ class Studio:
             from studio.painter.learning import write_learning_picture
             from studio.recorder.learning import write_learning_recording
 
+            # first the scenes, so that no link ever leads nowhere
+            links = self._record_scenes(study, table, bank)
             write_table(parquet, table)
             write_learning_picture(png, table, study.teachers)
-            write_learning_recording(rrd, table, study.teachers, {"outcomes": bank.name})
+            settings = {"outcomes": bank.name}
+            write_learning_recording(rrd, table, study.teachers, settings, links)
             for paper in papers:
                 from studio.painter.paper_figure import paper_caption, write_paper_figure
 
                 write_paper_figure(paper, table, study.teachers)
                 caption = paper_caption(table, study.teachers)
         unfinished.unlink(missing_ok=True)
-        return Learned(table, (*files, *drawn), caption)
+        scenes = [self.out / link.path for link in links.values()]
+        return Learned(table, (*files, *drawn, *scenes), caption)
+
+    def _record_scenes(self, study: Study, table: pa.Table, bank: Path) -> dict[int, SceneLink]:
+        """Record the scenes that tell most about the learners, as far as they can be made again."""
+        from scenes import warm_up
+        from scenes.bank import read_plan
+        from studio.bank_scenes import FOLDER, scenes_again
+        from studio.judgements import judge
+        from studio.recorder.learning_results import Results
+        from studio.recorder.learning_scenes import SceneLink
+
+        plan = read_plan(bank)
+        telling = Results(table, study.teachers).telling
+        numbers = list(dict.fromkeys(number for some in telling.values() for number in some))
+        if plan is None or not numbers:
+            return {}
+        with self.progress.waiting(_COMPILING):
+            warm_up(plan.engine)
+        links = {}
+        with self.progress.steps("recordings of scenes") as done:
+            for again in scenes_again(plan, study.prospects, numbers):
+                name = again.rollouts.scene.name
+                path = f"{FOLDER}/{name}.rrd"
+                with replacing(self.out / path) as [part]:
+                    self._write(part, again.rollouts, judge(again.rollouts))
+                links[again.number] = SceneLink(name, path, again.commands)
+                done(len(links), len(numbers))
+        return links
 
     def _study(self, study: Study, unfinished: Path) -> pa.Table:
         """Run a study, keeping what is finished in a file."""
@@ -210,6 +246,8 @@ class Studio:
     def view(self, path: str | Path) -> None:
         """Open a recording in the Rerun viewer, and wait until it is closed.
 
+        The viewer starts in the recording's folder, which is where links to others start from.
+
         Raises:
             InputError: if the file is not a recording.
             RunError: if the viewer fails.
@@ -220,7 +258,7 @@ class Studio:
 
         # The program itself, not the wrapper script beside it, which would outlive us.
         viewer = Path(rerun_cli.__file__).with_name("rerun")
-        code = subprocess.run([viewer, path], check=False).returncode
+        code = subprocess.run([viewer, path.resolve()], cwd=path.parent, check=False).returncode
         if code:
             raise RunError(f"the Rerun viewer ended with exit code {code}; is there a display?")
 

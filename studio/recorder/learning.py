@@ -14,6 +14,7 @@ import numpy as np
 import pyarrow as pa
 import rerun as rr
 import tomli_w
+from numpy.typing import NDArray
 
 from learners import Teacher
 from studio.recorder import learning_entities as entities
@@ -21,13 +22,15 @@ from studio.recorder.drawing import log_ground
 from studio.recorder.learning_blueprint import learning_blueprint
 from studio.recorder.learning_calibration import log_calibration
 from studio.recorder.learning_curves import AGREEMENT, LIKELIHOOD, REGRET, log_curve_figure
+from studio.recorder.learning_families import log_families, log_family_numbers
 from studio.recorder.learning_minds import log_minds
 from studio.recorder.learning_pages import about_page, command, summary_page, teacher_page
 from studio.recorder.learning_results import CURVE_COLUMNS, Results
+from studio.recorder.learning_scenes import Links, log_scenes
 from studio.recorder.recording import log_text, package_versions
 from studio.recorder.stream import recording_to
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
 
 Property = str | float | int | bool
@@ -41,6 +44,7 @@ def write_learning_recording(
     table: pa.Table,
     teachers: Sequence[Teacher],
     properties: Mapping[str, Property],
+    links: Links | None = None,
 ) -> None:
     """Write a recording of a study.
 
@@ -50,6 +54,7 @@ def write_learning_recording(
         teachers: who was learned from.
         properties: what else the recording shall say about itself, kept as its property
             `settings`; `outcomes`, the bank, goes into the command that makes it again.
+        links: recordings of scenes of the study that there are, to be linked to.
 
     Raises:
         OSError: if the file cannot be written.
@@ -70,6 +75,11 @@ def write_learning_recording(
             log_calibration(stream, results, teacher)
             log_numbers(stream, results, teacher)
             log_page(stream, results, teacher)
+            if results.scenes:
+                log_families(stream, results, teacher)
+                log_family_numbers(stream, results, teacher)
+        if results.scenes:
+            log_scenes(stream, results, links or {})
         log_text(stream, entities.SUMMARY, summary_page(results))
         log_text(stream, entities.ABOUT, about_page(results, settings, versions))
 
@@ -113,9 +123,7 @@ def log_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) 
             fits: dict[str, Any] = {}
             for column, rows in runs.items():
                 if column not in NAMED and rows[0] is not None:
-                    kind = np.bool_ if isinstance(rows[0], bool) else np.float64
-                    kind = np.int64 if column in _WHOLE else kind
-                    fits[column] = np.array(rows, dtype=kind).ravel()
+                    fits[column] = np.concatenate([_numbers(column, row) for row in rows])
             stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
             spreads: dict[str, Any] = {}
             for column in CURVE_COLUMNS:
@@ -140,7 +148,14 @@ def log_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> 
     stream.reset_time()
 
 
-_WHOLE = ("seed", "repeated", "steps", "calibration_count")
+_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")
+
+
+def _numbers(column: str, given: Any) -> NDArray[Any]:
+    """What one row has in a column, as one array; nothing (null) is not a number."""
+    if isinstance(given, bool) or column == "scene_picks":
+        return np.atleast_1d(given)
+    return np.atleast_1d(np.array(given, dtype=np.int64 if column in _WHOLE else np.float64))
 
 
 def _identity(results: Results, settings: dict[str, Any]) -> str:

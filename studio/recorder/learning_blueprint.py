@@ -1,5 +1,7 @@
 """How a recording of a study looks when it opens: its tabs, views, and where its time stands."""
 
+from collections.abc import Sequence
+
 import rerun.blueprint as rrb
 
 from learners import Teacher
@@ -9,6 +11,7 @@ from studio.recorder import learning_entities as entities
 from studio.recorder.blueprint import drawn_view, page_view
 from studio.recorder.learning_calibration import CALIBRATION, calibration_axes
 from studio.recorder.learning_curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
+from studio.recorder.learning_families import FAMILIES, family_figure
 from studio.recorder.learning_minds import (
     GAIN_WEIGHTS,
     LOSS_WEIGHTS,
@@ -23,11 +26,12 @@ LENGTH = 12.0
 
 
 def learning_blueprint(results: Results) -> rrb.Blueprint:
-    """The tabs: overview, one a teacher, calibration, about."""
+    """The tabs: overview, one a teacher, families, calibration, about."""
     return rrb.Blueprint(
         rrb.Tabs(
             overview_tab(results),
             *(teacher_tab(results, teacher) for teacher in results.teachers),
+            *([families_tab(results)] if results.scenes else []),
             calibration_tab(results),
             page_view(entities.ABOUT, "About"),
             active_tab=0,
@@ -93,6 +97,22 @@ def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
     )
 
 
+def families_tab(results: Results) -> rrb.Container:
+    """All teachers side by side: regret by family and scene; beside, the scenes that tell most."""
+    bounds = family_figure(results).bounds
+    return rrb.Horizontal(
+        _beside_one_another(
+            [
+                view(teacher, FAMILIES, bounds, f"{_name(teacher)}: regret in held-out scenes")
+                for teacher in results.teachers
+            ]
+        ),
+        page_view(entities.SCENES, "Scenes"),
+        column_shares=[2, 1],
+        name="Families",
+    )
+
+
 def calibration_tab(results: Results) -> rrb.Container:
     """Predicted preferences on held-out scenes: calibration above, likelihood below."""
     return _beside_one_another(
@@ -129,7 +149,9 @@ def view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
     return drawn_view([f"{entities.figure(teacher.name, name)}/**"], bounds, title)
 
 
-def _beside_one_another(columns: list[rrb.Container], name: str | None = None) -> rrb.Container:
+def _beside_one_another(
+    columns: Sequence[rrb.Container | rrb.View], name: str | None = None
+) -> rrb.Container:
     """Columns side by side, in two rows if there are more than four."""
     if len(columns) > 4:
         return rrb.Grid(*columns, grid_columns=(len(columns) + 1) // 2, name=name)

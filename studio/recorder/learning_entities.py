@@ -11,6 +11,7 @@ TIMELINE = "pairs"
 GROUND = "ground"
 FIGURES = "figures"
 SUMMARY = "summary"
+SCENES = "scenes"
 ABOUT = "about"
 STUDY = "/__properties/study"
 
@@ -28,6 +29,11 @@ def fits(teacher: str, learner: str) -> str:
 def curves(teacher: str, learner: str) -> str:
     """Means over seeds, with their spread."""
     return f"curves/{_part(teacher)}/{_part(learner)}"
+
+
+def families(teacher: str, learner: str) -> str:
+    """Means over seeds in each family of scenes, with their spread."""
+    return f"families/{_part(teacher)}/{_part(learner)}"
 
 
 def figure(teacher: str, name: str) -> str:

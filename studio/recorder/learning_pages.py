@@ -12,6 +12,7 @@ from studio.naming import counted, learner_name, number, teacher_name
 from studio.recorder import learning_entities as entities
 from studio.recorder.learning_calibration import CALIBRATION
 from studio.recorder.learning_curves import AGREEMENT, LIKELIHOOD, REGRET
+from studio.recorder.learning_families import FAMILIES
 from studio.recorder.learning_minds import (
     GAIN_WEIGHTS,
     LOSS_WEIGHTS,
@@ -165,6 +166,7 @@ def about_page(
             "its 95 % interval, the thin one ± one standard deviation, the dark mark the truth. "
             "Loss aversion, curvature and the length of θ trade off against one another, so "
             "that single parameters stay wide where the choices are predicted well.",
+            *_families_explained(results, first),
             f"* [Calibration]({_target(first, CALIBRATION)}): how probable the teacher's choices "
             "are where the learner predicts so much; a dot's area is the share of predictions. "
             f"Below, the [likelihood]({_target(first, LIKELIHOOD.name)}) of held-out choices.",
@@ -241,6 +243,18 @@ def command(results: Results, settings: Mapping[str, object]) -> str:
     words += ["--pairs", ",".join(str(pairs) for pairs in results.sizes)]
     words += ["--seeds", str(results.seeds)]
     return shlex.join(words)
+
+
+def _families_explained(results: Results, teacher: Teacher) -> list[str]:
+    if not results.scenes:
+        return []
+    return [
+        f"* [Families]({_target(teacher, FAMILIES)}): the same regret by kind of scene. A dot is a "
+        "scene that was held out, those without regret in a box at the left; the large dot is the "
+        "mean of the family over seeds, the line its 95 % interval. Ringed are the scenes that "
+        f"[the page beside](recording://{entities.SCENES}) tells of, with links to their own "
+        "recordings."
+    ]
 
 
 def _final_row(results: Results, teacher: Teacher, learner: str, pairs: int) -> str:

@@ -9,7 +9,19 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from learners import CptParameters, Curve, Teacher, learning_curves
+from learners import (
+    CptParameters,
+    Curve,
+    InputError,
+    SceneRegrets,
+    StudyScene,
+    Teacher,
+    family_curves,
+    learning_curves,
+    scene_regrets,
+    study_scenes,
+    telling_scenes,
+)
 from studio.judgements import FloatArray
 
 CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
@@ -26,6 +38,12 @@ CURVE_COLUMNS = (
     *CPT_COLUMNS,
 )
 """Columns that are followed as means over seeds."""
+
+FAMILY_COLUMNS = ("regret", "regret_percent")
+"""What is followed in each family of scenes, as means over seeds."""
+
+TOLD_SCENES = 6
+"""How many scenes are told of, over all teachers; of each teacher at least one."""
 
 METADATA = b"prospect_study"
 """Key of the table's metadata that says what was studied."""
@@ -74,6 +92,39 @@ class Results:
         study: dict[str, Any] = json.loads(told)
         return study
 
+    @cached_property
+    def scenes(self) -> dict[int, StudyScene]:
+        """The scenes of the study by their ids; none if the table does not tell of them."""
+        try:
+            return study_scenes(self.table)
+        except InputError:
+            return {}
+
+    @cached_property
+    def families(self) -> tuple[str, ...]:
+        """Names of the families of scenes, sorted; none if the table does not tell of them."""
+        return tuple(sorted({scene.family for scene in self.scenes.values()}))
+
+    @cached_property
+    def telling(self) -> dict[str, tuple[int, ...]]:
+        """The scenes that tell most about the learners, by the teacher's name."""
+        count = max(1, TOLD_SCENES // len(self.teachers))
+        return telling_scenes(self.table, count)
+
+    def random_regret(self, teacher: Teacher, family: str) -> float:
+        """What a random action costs a teacher in a family of scenes, on average."""
+        return self._random_regrets[teacher.name, family]
+
+    def scene_regrets(self, teacher: Teacher, learner: str, pairs: int) -> SceneRegrets | None:
+        """The regret in every scene that was held out; none if there is no such fit."""
+        return self._scene_regrets.get((teacher.name, learner, pairs))
+
+    def family_curve(
+        self, column: str, family: str, teacher: Teacher, learner: str
+    ) -> Curve | None:
+        """How a column of `FAMILY_COLUMNS` changes in a family with the number of pairs."""
+        return self._family_curves[column].get((family, teacher.name, learner))
+
     def runs(self, teacher: Teacher, learner: str, pairs: int) -> Runs:
         """The fits of one learner to one teacher, by seed; columns are empty if there are none."""
         return self._runs.get((teacher.name, learner, pairs), {name: [] for name in self._columns})
@@ -104,6 +155,31 @@ class Results:
                 for curve in learning_curves(self.table, column)
             }
             for column in CURVE_COLUMNS
+        }
+
+    @cached_property
+    def _scene_regrets(self) -> dict[tuple[str, str, int], SceneRegrets]:
+        return {
+            (each.teacher, each.learner, each.pairs): each for each in scene_regrets(self.table)
+        }
+
+    @cached_property
+    def _random_regrets(self) -> dict[tuple[str, str], float]:
+        costs: dict[tuple[str, str], list[float]] = {}
+        for scene in self.scenes.values():
+            for teacher, cost in scene.random_regret.items():
+                costs.setdefault((teacher, scene.family), []).append(cost)
+        return {key: float(np.mean(given)) for key, given in costs.items()}
+
+    @cached_property
+    def _family_curves(self) -> dict[str, dict[tuple[str, str, str], Curve]]:
+        return {
+            column: {
+                (family, curve.teacher, curve.learner): curve
+                for family, curves in family_curves(self.table, column).items()
+                for curve in curves
+            }
+            for column in FAMILY_COLUMNS
         }
 
 

@@ -26,6 +26,14 @@ def test_regret_by_hand(prospects):
     assert test.agreement == 0.0
 
 
+def test_regret_of_each_scene_is_that_of_its_pick(prospects):
+    truth = TK.values(prospects.features)
+    test = evaluate(-truth, truth)
+    assert test.scene_picks.tolist() == truth.argmin(axis=1).tolist()
+    np.testing.assert_array_equal(test.scene_regret, truth.max(axis=1) - truth.min(axis=1))
+    assert test.scene_regret.mean() == test.regret
+
+
 def test_all_actions_in_turn_cost_what_a_random_one_costs(prospects):
     percents = [
         evaluate(np.tile(np.eye(4)[a], (24, 1)), TK.values(prospects.features)).regret_percent

@@ -139,6 +139,10 @@ class TestResuming:
         with pytest.raises(InputError, match="rows without a study are not allowed"):
             missing_tasks(study, table.replace_schema_metadata(None))
 
+    def test_rows_of_an_older_edition_are_refused(self, study, table):
+        with pytest.raises(InputError, match="rows without 'scene_regret' are not allowed"):
+            missing_tasks(study, table.drop_columns(["scene_regret"]))
+
 
 class TestRefusals:
     @pytest.mark.parametrize(

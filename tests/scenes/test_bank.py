@@ -1,6 +1,7 @@
 """The outcome bank."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,16 @@ import pyarrow.parquet as pq
 import pytest
 
 from scenes import FAMILIES, META_ACTIONS, InputError, Noise, sample_scene, simulate
-from scenes.bank import BankPlan, write_bank
+from scenes.bank import (
+    BankPlan,
+    metadata,
+    outcome_rows,
+    planned_scene,
+    read_plan,
+    simulate_planned,
+    write_bank,
+)
+from scenes.robot import Limits
 
 COLUMNS = [
     "scene",
@@ -74,6 +84,50 @@ def test_metadata_suffices_to_make_the_bank_again(bank: Path, tmp_path: Path) ->
     assert said["versions"]["pysocialforce"] == "1.1.2"
     write_bank(tmp_path / "again.parquet", again)
     assert pq.read_table(tmp_path / "again.parquet").equals(pq.read_table(bank))
+
+
+def test_the_plan_can_be_read_back(bank: Path, tmp_path: Path) -> None:
+    assert read_plan(bank) == PLAN
+    plan = BankPlan(
+        scenes=1,
+        rollouts=2,
+        families=("open",),
+        patterns=("mixed",),
+        limits=Limits(0.5, 1.0),
+        actions=META_ACTIONS[:2],
+    )
+    write_bank(tmp_path / "b.parquet", plan)
+    assert read_plan(tmp_path / "b.parquet") == plan
+
+
+def test_the_plan_gives_the_rollouts_of_the_bank(bank: Path) -> None:
+    table = pq.read_table(bank, filters=[("scene", "=", 3)])
+    rollouts = simulate_planned(PLAN, replace(planned_scene(PLAN, 3), name="other"))
+    assert outcome_rows(rollouts).equals(table.replace_schema_metadata(None))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        None,
+        "no JSON",
+        "[]",
+        "{}",
+        json.dumps(metadata(PLAN) | {"bank_version": 99}),
+        json.dumps(metadata(PLAN) | {"dt": 0.2}),
+        json.dumps(metadata(PLAN) | {"noise": {"laughter": 1.0}}),
+        json.dumps(metadata(PLAN) | {"scenes": -1}),
+        json.dumps(metadata(PLAN) | {"engine": "magic"}),
+        json.dumps(metadata(PLAN) | {"actions": [{"name": "fly"}]}),
+    ],
+)
+def test_a_bank_from_elsewhere_has_no_plan(bank: Path, said: str | None, tmp_path: Path) -> None:
+    table = pq.read_table(bank).replace_schema_metadata(said and {"prospect_studio": said})
+    pq.write_table(table, tmp_path / "other.parquet")
+    assert read_plan(tmp_path / "other.parquet") is None
+    (tmp_path / "no.parquet").write_bytes(b"half a fi")
+    assert read_plan(tmp_path / "no.parquet") is None
+    assert read_plan(tmp_path / "nothing.parquet") is None
 
 
 def test_content_does_not_depend_on_the_number_of_workers(bank: Path, tmp_path: Path) -> None:

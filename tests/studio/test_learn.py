@@ -1,16 +1,21 @@
 """The study as a person runs it."""
 
+import re
+import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
+from rerun.chunk import RrdReader
 
 import learners.study
-from learners import CptParameters, Teacher
+from learners import FEATURES, CptParameters, Teacher
+from scenes import Noise
 from scenes.bank import BankPlan, write_bank
 from studio.cli import main
 from studio.errors import InputError
@@ -44,6 +49,7 @@ def test_learn_writes_table_picture_and_recording(bank: Path, tmp_path: Path) ->
         "learning.parquet",
         "learning.png",
         "learning.rrd",
+        "scenes",
     ]
     table = pq.read_table(tmp_path / "learning.parquet")
     assert table.column_names[: len(CONTRACT)] == CONTRACT
@@ -52,6 +58,102 @@ def test_learn_writes_table_picture_and_recording(bank: Path, tmp_path: Path) ->
     assert eu["lambda"].null_count == eu.num_rows
     for word in ("regret on held-out scenes", "strong", "cpt", "learning.rrd"):
         assert word in result.stdout
+
+
+def page_of_scenes(out: Path) -> str:
+    """The page of scenes at the largest number of pairs."""
+    pages = {}
+    for chunk in RrdReader(out / "learning.rrd").stream().filter(content="/scenes").to_chunks():
+        columns = chunk.to_record_batch().to_pydict()
+        pages |= dict(zip(columns["pairs"], columns["TextDocument:text"], strict=True))
+    [text] = pages[max(pages)]
+    return str(text)
+
+
+def outcomes_of(recording: Path) -> dict[str, list[Any]]:
+    """What a scene's own recording says of its outcomes."""
+    [chunk] = RrdReader(recording).stream().filter(content="/outcomes").to_chunks()
+    columns: dict[str, list[Any]] = chunk.to_record_batch().to_pydict()
+    return {name: rows[0] for name, rows in columns.items() if not name.startswith("rerun")}
+
+
+def test_scenes_that_are_told_of_have_recordings_of_the_very_rollouts_of_the_bank(
+    bank: Path, tmp_path: Path
+) -> None:
+    learned = Studio(tmp_path).learn(bank, **SMALL)
+    links = re.findall(r"\]\(<([^>]+)>\)", page_of_scenes(tmp_path))
+    assert 1 <= len(set(links)) <= 6
+    assert {tmp_path / link for link in links} == set(learned.files[3:])
+    assert sorted(set(links)) == sorted(f"scenes/{p.name}" for p in (tmp_path / "scenes").iterdir())
+    for link in links:
+        family, seed, number = Path(link).stem.split("-")
+        rows = pq.read_table(bank, filters=[("scene", "=", int(number))])
+        assert (family, seed) == (rows["family"][0].as_py(), "0")
+        recorded = outcomes_of(tmp_path / link)
+        for feature in FEATURES:
+            np.testing.assert_array_equal(recorded[feature], rows[feature])
+
+
+def test_the_page_tells_how_to_make_a_recording_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bank = tmp_path / "bank.parquet"
+    write_bank(bank, BankPlan(scenes=16, seed=3, rollouts=4, horizon=2.0, noise=Noise(goal=0.2)))
+    Studio(tmp_path).learn(bank, teachers=("strong",), pairs=(10,), seeds=1)
+    commands = re.findall(r"^studio (.+)$", page_of_scenes(tmp_path), re.MULTILINE)
+    recordings = {path: outcomes_of(path) for path in (tmp_path / "scenes").iterdir()}
+    assert len(commands) == 2 * len(recordings) > 0
+    for path in recordings:
+        path.unlink()
+    monkeypatch.chdir(tmp_path)
+    for command in commands:
+        words, _, file = command.partition(" > ")
+        result = run(*shlex.split(words))
+        assert result.exit_code == 0, result.stderr
+        if file:
+            Path(file).write_text(result.stdout)
+    assert {path: outcomes_of(path) for path in recordings} == recordings
+
+
+def without_plan(table: pa.Table) -> pa.Table:
+    return table.replace_schema_metadata(None)
+
+
+def shaken(table: pa.Table) -> pa.Table:
+    """The same bank, it says, but the outcomes are others."""
+    place = table.column_names.index("progress")
+    other = pa.compute.multiply(table["progress"], 0.99)
+    return table.set_column(place, table.schema.field("progress"), other)
+
+
+def renumbered(table: pa.Table) -> pa.Table:
+    place = table.column_names.index("scene")
+    other = pa.compute.subtract(table["scene"], 8)
+    return table.set_column(place, table.schema.field("scene"), other)
+
+
+def halved(table: pa.Table) -> pa.Table:
+    return table.filter(pa.compute.less(table["rollout"], 4))
+
+
+@pytest.mark.parametrize("change", [without_plan, shaken, renumbered, halved])
+def test_scenes_that_do_not_come_out_as_in_the_bank_are_not_recorded(
+    change: Callable[[pa.Table], pa.Table], bank: Path, tmp_path: Path
+) -> None:
+    other = tmp_path / "other.parquet"
+    pq.write_table(change(pq.read_table(bank)), other)
+    learned = Studio(tmp_path / "out").learn(other, **SMALL)
+    assert len(learned.files) == 3
+    assert not (tmp_path / "out" / "scenes").exists()
+    page = page_of_scenes(tmp_path / "out")
+    assert "These scenes have no recordings" in page
+    assert "](" not in page
+
+
+def test_what_an_older_edition_left_behind_is_not_continued(bank: Path, tmp_path: Path) -> None:
+    table = Studio(tmp_path / "whole").learn(bank, **SMALL).table
+    pq.write_table(table.drop_columns(["scene_regret"]), tmp_path / ".learning.unfinished.parquet")
+    assert Studio(tmp_path).learn(bank, **SMALL).table.equals(table)
 
 
 def test_the_same_study_gives_the_same_table(bank: Path, tmp_path: Path) -> None:

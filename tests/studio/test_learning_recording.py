@@ -20,7 +20,10 @@ from learners import (
     TEACHERS,
     CptParameters,
     Teacher,
+    family_curves,
     learning_curves,
+    scene_regrets,
+    telling_scenes,
     value,
     weight,
 )
@@ -34,14 +37,20 @@ from studio.recorder.learning_axes import (
     round_ticks,
 )
 from studio.recorder.learning_curves import REGRET
+from studio.recorder.learning_families import NOTHING, family_figure, scene_percents
 from studio.recorder.learning_minds import value_figure, visible
-from studio.recorder.learning_results import CURVE_COLUMNS, Results
+from studio.recorder.learning_results import CURVE_COLUMNS, FAMILY_COLUMNS, Results
+from studio.recorder.learning_scenes import SceneLink
 
 REFERENCE = Path(__file__).parents[2] / "recordings" / "README.md"
 SETTINGS: dict[str, Any] = {"outcomes": "bank.parquet"}
 PAIR = (TEACHERS["eu"], TEACHERS["tk"])
 SIZES = (25, 100)
 BINS = 10
+LINKS = {
+    number: SceneLink(f"doorway-0-{number}", f"scenes/doorway-0-{number}.rrd", (f"make {number}",))
+    for number in range(12)
+}
 
 
 def make_row(
@@ -59,6 +68,8 @@ def make_row(
             for name, number in zip(parameters, truth, strict=True)
         }
     count = rng.integers(0, 20, BINS)
+    held_out = sorted(np.random.default_rng(seed).permutation(12)[:6].tolist())
+    regret = np.where(rng.random(6) < 0.5, error * rng.uniform(0.0, 0.1, 6), 0.0)
     predicted = [(place + 0.5) / BINS if count[place] else None for place in range(BINS)]
     return {
         "teacher": teacher.name,
@@ -84,6 +95,9 @@ def make_row(
         "calibration_count": count.tolist(),
         "calibration_predicted": predicted,
         "calibration_preferred": predicted,
+        "held_out_scenes": held_out,
+        "scene_regret": regret.tolist(),
+        "scene_picks": ["stop" if cost == 0.0 else "forward" for cost in regret],
     }
 
 
@@ -101,7 +115,21 @@ def make_table(
         for learner in learners
         for seed in range(seeds)
     ]
-    study = {"bank": "abc", "held_out": 0.25, "learners": {"eu": {"name": "eu", "deviation": 1}}}
+    study = {
+        "bank": "abc",
+        "held_out": 0.25,
+        "learners": {"eu": {"name": "eu", "deviation": 1}},
+        "scenes": [
+            {
+                "scene": number,
+                "family": ["doorway", "open"][number % 2],
+                "pattern": "mixed",
+                "best": {teacher.name: "stop" for teacher in teachers},
+                "random_regret": {teacher.name: 0.05 for teacher in teachers},
+            }
+            for number in range(12)
+        ],
+    }
     return pa.Table.from_pylist(
         rows, schema=STUDY_SCHEMA.with_metadata({"prospect_study": json.dumps(study)})
     )
@@ -123,7 +151,7 @@ def table() -> pa.Table:
 @pytest.fixture(scope="module")
 def recording(table: pa.Table, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "learning.rrd"
-    write_learning_recording(path, table, tuple(TEACHERS.values()), SETTINGS)
+    write_learning_recording(path, table, tuple(TEACHERS.values()), SETTINGS, LINKS)
     return path
 
 
@@ -175,11 +203,98 @@ def test_every_fit_is_there(recording: Path, table: pa.Table) -> None:
             assert fits["pairs"][place] == pairs
             assert fits["seed"][place] == [0, 1, 2]
             assert fits["converged"][place] == [True, True, True]
-            for column in ("regret", "nll", "theta", "theta_unit", "calibration_count"):
+            picks = [pick for row in ours for pick in row["scene_picks"]]
+            assert fits["scene_picks"][place] == picks
+            for column in (
+                *("regret", "nll", "theta", "theta_unit", "calibration_count"),
+                *("held_out_scenes", "scene_regret"),
+            ):
                 given = np.ravel([row[column] for row in ours])
                 np.testing.assert_allclose(fits[column][place], given, err_msg=column)
     assert "alpha" not in entities["/fits/tk/eu"]
     assert "alpha" in entities["/fits/tk/cpt"]
+
+
+def test_regret_by_family_is_that_of_the_table(recording: Path, table: pa.Table) -> None:
+    entities = read(recording)
+    for column in FAMILY_COLUMNS:
+        families = family_curves(table, column)
+        for place, curve in enumerate(families["doorway"]):
+            assert curve.learner == families["open"][place].learner
+            rows = entities[f"/families/{curve.teacher}/{curve.learner}"]
+            assert rows["pairs"] == list(SIZES)
+            assert rows["family"] == [["doorway", "open"]] * len(SIZES)
+            both = [families[family][place] for family in ("doorway", "open")]
+            sides = np.array([[one.mean, one.std, one.low, one.high] for one in both])
+            expected = sides.transpose(2, 1, 0).reshape(len(SIZES), -1)
+            np.testing.assert_allclose(rows[column], expected, err_msg=column)
+
+
+def test_every_held_out_scene_and_every_mean_is_drawn(recording: Path, table: pa.Table) -> None:
+    results = Results(table, PAIR)
+    figure = family_figure(results)
+    learnt = read(recording)["/figures/tk/families/learnt"]
+    assert learnt["pairs"] == list(SIZES)
+    regrets = results.scene_regrets(TEACHERS["tk"], "cpt", SIZES[-1])
+    assert regrets is not None
+    drawn = np.array([np.mean(strip, axis=0) for strip in learnt["LineStrips2D:strips"][-1]])
+    percents = scene_percents(results, TEACHERS["tk"], regrets)
+    for scene, percent in zip(regrets.scenes.tolist(), percents, strict=True):
+        middle = figure.strip(results.scenes[scene].family, "cpt")
+        beside = drawn[np.abs(drawn[:, 1] - middle) < figure.strip_height / 2.0]
+        if percent > 0.0:
+            assert np.abs(beside[:, 0] - figure.across(np.array(percent))).min() < 1e-5
+        else:
+            assert (beside[:, 0] < NOTHING).any()
+    words = learnt["LineStrips2D:labels"][-1]
+    for family, curves in family_curves(table).items():
+        (curve,) = (one for one in curves if (one.teacher, one.learner) == ("tk", "cpt"))
+        spot = (float(figure.across(curve.mean[-1])), figure.strip(family, "cpt"))
+        assert np.abs(drawn - spot).sum(axis=1).min() < 1e-5
+        assert f"{curve.mean[-1]:.2f} %" in words
+
+
+def test_the_page_of_scenes_tells_of_those_that_differ_most(
+    recording: Path, table: pa.Table
+) -> None:
+    page = read(recording)["/scenes"]
+    assert page["pairs"] == list(SIZES)
+    last = page["TextDocument:text"][-1][0]
+    found = telling_scenes(table, 3)
+    for teacher, title in (("eu", "## EU teacher"), ("tk", "## T&K teacher")):
+        assert len(found[teacher]) == 3
+        part = last[last.index(title) :].split("## ")[1]
+        for scene in found[teacher]:
+            assert f"[doorway-0-{scene} ↗](<scenes/doorway-0-{scene}.rrd>)" in part
+            (each,) = (
+                one
+                for one in scene_regrets(table)
+                if (one.teacher, one.learner, one.pairs) == (teacher, "cpt", SIZES[-1])
+            )
+            regret = float(each.regret[each.scenes == scene][0])
+            if regret > 0.0:
+                assert f"{regret:.3f} | {100.0 * regret / 0.05:.0f} %" in part
+    assert "make 0" in last
+
+
+def test_without_recordings_of_scenes_the_page_says_so(table: pa.Table, tmp_path: Path) -> None:
+    write_learning_recording(tmp_path / "test.rrd", table, PAIR, {})
+    for (text,) in read(tmp_path / "test.rrd")["/scenes"]["TextDocument:text"]:
+        assert "These scenes have no recordings" in text
+        assert "](" not in text
+
+
+def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
+    table: pa.Table, tmp_path: Path
+) -> None:
+    bare = table.replace_schema_metadata(None)
+    write_learning_recording(tmp_path / "test.rrd", bare, PAIR, {})
+    entities = read(tmp_path / "test.rrd")
+    assert "/scenes" not in entities
+    assert not [entity for entity in entities if "families" in entity]
+    assert (
+        "](<recording://figures/eu/families>)" not in entities["/about"]["TextDocument:text"][0][0]
+    )
 
 
 def test_drawn_means_lie_where_the_axes_put_them(recording: Path, table: pa.Table) -> None:
@@ -335,7 +450,7 @@ def test_opens_at_the_end_with_a_tab_a_teacher(recording: Path) -> None:
                 for row in batch.column("TimePanelBlueprint:timeline").to_pylist()
                 for name in row
             }
-    assert {"Overview", "EU", "T&K", "Calibration", "About"} <= names
+    assert {"Overview", "EU", "T&K", "Families", "Calibration", "About"} <= names
     assert "Strong" not in names
     assert timelines == {"pairs"}
 

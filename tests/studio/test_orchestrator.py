@@ -1,5 +1,6 @@
 """The orchestrator from Python."""
 
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +29,23 @@ def test_a_scene_of_ones_own_can_be_recorded(tmp_path: Path) -> None:
     recorded = Studio(tmp_path).record(scene, rollouts=2, noise=Noise(goal=0.0), **PLAIN)
     assert recorded.files[0].exists()
     assert recorded.rollouts.noise.goal == 0.0
+
+
+def test_the_viewer_starts_where_links_of_the_recording_start(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started: list[tuple[Path, Path]] = []
+
+    def start(command: list[Path], *, cwd: Path, check: bool) -> subprocess.CompletedProcess[bytes]:
+        started.append((command[1], cwd.resolve()))
+        return subprocess.CompletedProcess(command, 0)
+
+    (tmp_path / "some").mkdir()
+    (tmp_path / "some" / "learning.rrd").write_bytes(b"RRF2")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(subprocess, "run", start)
+    Studio().view("some/learning.rrd")
+    assert started == [(tmp_path / "some" / "learning.rrd", tmp_path / "some")]
 
 
 def test_an_old_file_survives_a_run_that_fails(
