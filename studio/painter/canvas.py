@@ -29,6 +29,9 @@ REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
 SMALLEST_WIDTH, SMALLEST_HEIGHT = 640, 360
 LARGEST_SIDE = 8192
 
+MARGIN, GAP = 36, 36
+"""Around a page and between its columns, in units of the reference page."""
+
 REGULAR, SEMIBOLD = 400, 600
 """Weights of type."""
 
@@ -177,6 +180,16 @@ class Canvas:
         (left, top), (height, width) = self._origin, self.pixels.shape[:2]
         return Box(left, top, left + width, top + height)
 
+    @property
+    def page(self) -> Box:
+        """What can be drawn on within the margin."""
+        return self.box.inset(MARGIN * self.unit)
+
+    @property
+    def gap(self) -> float:
+        """Distance between columns of the page, px."""
+        return GAP * self.unit
+
     def clipped(self, box: Box) -> "Canvas":
         """The same page, the same coordinates, but nothing is drawn outside of the box."""
         left, top = max(round(box.left), 0), max(round(box.top), 0)
@@ -201,6 +214,11 @@ class Canvas:
     def restore(self, still: "Canvas", box: Box) -> None:
         """Make a box look as it does on another page of the same size."""
         self.clipped(box).pixels[:] = still.clipped(box).pixels
+
+    def clear(self, box: Box) -> None:
+        """Make a box empty again, and forget the texts that lie in it."""
+        self.fill(box, self.theme.ground)
+        self.texts[:] = [placed for placed in self.texts if not placed.box.overlaps(box)]
 
     # Shapes
 
