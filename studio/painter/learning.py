@@ -165,7 +165,12 @@ def _lay_out_column(canvas: Canvas, box: Box, results: Results, teacher: Teacher
         regret, predictions = left.rows((1.7, 1), gap)
         *shapes, parameters = right.rows([1.0] * minds, gap)
     else:
-        heights = {1: (2.3, 1.2, 1.45), 2: (2.1, 1.35, 1.3, 1.25)}[minds]
+        heights = {1: [2.3, 1.2, 1.45], 2: [2.1, 1.35, 1.3, 1.25]}[minds]
+        if results.shaped:
+            # plots no higher than wide, so that slopes can be compared, and their names
+            rows = rest.height - (len(heights) - 1) * gap
+            share = min((rest.width / 3 + 2.5 * kind.small) / rows, heights[1] / sum(heights))
+            heights[1] = share / (1.0 - share) * (sum(heights) - heights[1])
         regret, *shapes, parameters, predictions = rest.rows(heights, gap)
     calibration, agreement = predictions.columns((1, 1.25), 20 * unit)
     shapes_box = shapes[0] if shapes else None
@@ -226,7 +231,9 @@ def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> 
     colour = canvas.theme.legible(teacher_colour(teacher.name))
     canvas.fill(Box(box.left, box.top, box.right, box.top + max(2.0, 3 * unit)), colour)
     name = teacher_name(teacher.name)
-    title = canvas.fitted([f"Teacher: {name}", name], box.width, kind.heading, SEMIBOLD)
+    title = f"Teacher: {name}"
+    if canvas.measure(title, kind.heading, SEMIBOLD) > box.width:
+        title = canvas.abbreviated(name, box.width, kind.heading, SEMIBOLD)
     at = (box.left, box.top + 9 * unit)
     written = canvas.text(at, title, kind.heading, colour, SEMIBOLD, line="top")
     given = zip(PARAMETERS.values(), numbers_of(teacher.parameters), strict=True)

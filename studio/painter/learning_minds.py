@@ -141,6 +141,8 @@ def _draw_shape(
         for line in lines:
             part.line(line, tint, unit)
     true = np.stack([_straight(across, x), _straight(up, truth)], axis=-1)
+    # a rim keeps the dashes apart from dark lines
+    dashed_path(part, true, canvas.theme.panel, 5 * unit)
     dashed_path(part, true, canvas.theme.ink, 2.2 * unit)
 
 

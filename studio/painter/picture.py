@@ -21,6 +21,8 @@ from studio.palette import LIGHT, Theme
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
 
+_STACKED = 1.5  # where the upper part is less wide than so many times its height
+
 
 def draw_picture(
     rollouts: Rollouts,
@@ -77,16 +79,21 @@ def compose_picture(
     body_top = heading.bottom + 16 * unit
     table = ActionTable.fit(canvas, Box(page.left, body_top, page.right, page.bottom), rollouts)
     upper = Box(page.left, body_top, page.right, table.box.top - 26 * unit)
-    scene, teachers = upper.columns(_widths(rollouts, upper), canvas.gap)
+    scene, teachers = _halves(upper, rollouts, canvas.gap)
     draw_scene(canvas, scene, rollouts, judgements)
     draw_teachers(canvas, teachers, rollouts, judgements)
     table.draw(canvas, rollouts, judgements)
     return canvas
 
 
-def _widths(rollouts: Rollouts, upper: Box) -> tuple[float, float]:
-    """Shares of the width for the scene and the teachers: a long scene gets more."""
+def _halves(upper: Box, rollouts: Rollouts, gap: float) -> tuple[Box, Box]:
+    """Where the scene and the teachers lie: side by side, or on a high page below one another."""
+    if upper.width < _STACKED * upper.height:
+        scene, teachers = upper.rows((1.9, 1.0), 0.6 * gap)
+        return scene, teachers
     x0, y0, x1, y1 = bounds_to_show(rollouts)
+    # a long scene gets more
     share = (x1 - x0) / (y1 - y0) * upper.height / upper.width
     share = min(max(share, 0.5), 0.67)
-    return share, 1.0 - share
+    scene, teachers = upper.columns((share, 1.0 - share), gap)
+    return scene, teachers

@@ -125,7 +125,7 @@ def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) ->
     """
     lengths = [digit * 10.0**power for power in (-1, 0, 1, 2, 3) for digit in (1, 2, 5)]
     metres = max(
-        (length for length in lengths if length * view.scale < 0.2 * view.box.width),
+        (length for length in lengths if length * view.scale < 0.15 * view.box.width),
         default=lengths[0],
     )
     size, tall = canvas.type.small, 0.5 * canvas.type.small
