@@ -165,7 +165,7 @@ def _lay_out_column(canvas: Canvas, box: Box, results: Results, teacher: Teacher
         regret, predictions = left.rows((1.7, 1), gap)
         *shapes, parameters = right.rows([1.0] * minds, gap)
     else:
-        heights = {1: [2.3, 1.2, 1.45], 2: [2.1, 1.35, 1.3, 1.25]}[minds]
+        heights = {1: [2.3, 1.2, 1.45], 2: [2.1, 1.3, 1.4, 1.2]}[minds]
         if results.shaped:
             # plots no higher than wide, so that slopes can be compared, and their names
             rows = rest.height - (len(heights) - 1) * gap
@@ -211,7 +211,8 @@ def draw_page(page: Page, results: Results) -> Canvas:
 def draw_progress(canvas: Canvas, column: Column, results: Results, scales: Scales) -> None:
     """Draw the curves of one teacher anew, as far as the results go."""
     for box, draw in ((column.regret, draw_regret), (column.agreement, draw_agreement)):
-        canvas.clear(box)
+        # letters may reach a little over the box that holds their line
+        canvas.clear(box.inset(-0.2 * canvas.type.small))
         draw(canvas, box, results, column.teacher, scales)
 
 

@@ -141,9 +141,7 @@ def _draw_shape(
         for line in lines:
             part.line(line, tint, unit)
     true = np.stack([_straight(across, x), _straight(up, truth)], axis=-1)
-    # a rim keeps the dashes apart from dark lines
-    dashed_path(part, true, canvas.theme.panel, 5 * unit)
-    dashed_path(part, true, canvas.theme.ink, 2.2 * unit)
+    dashed_path(part, true, canvas.theme.ink, 2.4 * unit)
 
 
 def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:

@@ -16,7 +16,7 @@ from studio.painter.learning import (
 )
 from studio.painter.learning_film import compose_learning_film, play
 from studio.painter.learning_results import Results
-from studio.palette import DARK, LEARNER_COLOURS, LIGHT
+from studio.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
 THREE = tuple(TEACHERS.values())
@@ -107,7 +107,7 @@ CASES = {
     "more teachers than there is room for": lambda: case(OWN),
     "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
     "huge regret": lambda: case(regret_percent=12345.6),
-    "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=2),
+    "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=1),
     "nothing fitted": lambda: (a_table().slice(0, 0), THREE),
     "one teacher fitted": lambda: (a_table((TEACHERS["eu"],)), THREE),
     "nothing converged": lambda: case(converged=False),
@@ -130,15 +130,19 @@ def has_colour(pixels, colour):
     return bool((pixels == colour).all(axis=-1).any())
 
 
-@pytest.mark.parametrize(
-    ("name", "size"),
-    [
-        *itertools.product(CASES, [(640, 400), (1600, 1000)]),
-        *itertools.product(["default", "one teacher"], SIZES[3:]),
-    ],
-)
-def test_texts_stay_on_the_page_and_off_one_another(name, size):
-    canvas = compose_learning_picture(*CASES[name](), size)
+def pages():
+    """Every case on the smallest page and another one, the usual case on all of them."""
+    others = itertools.cycle([(1080, 1350), (1600, 900), (1600, 1000), (1280, 720)])
+    for name, other in zip(CASES, others, strict=False):
+        yield name, (640, 360), "light"
+        yield name, other, "dark"
+    for name, size in itertools.product(["default", "one teacher"], SIZES):
+        yield name, size, "light"
+
+
+@pytest.mark.parametrize(("name", "size", "theme"), [*pages()])
+def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
+    canvas = compose_learning_picture(*CASES[name](), size, THEMES[theme])
     assert len(canvas.texts) > 5
     for text in canvas.texts:
         assert canvas.box.contains(text.box), text
@@ -311,7 +315,8 @@ def test_only_curves_move_between_two_numbers_of_pairs():
     stages = [results.up_to(pairs) for pairs in (25, 40, 80, 200)]
     stood, moved, farther, arrived = (canvas.pixels.copy() for canvas in play(page, stages))
     rows, columns = np.nonzero((stood != moved).any(axis=-1))
-    boxes = [box for column in page.columns for box in (column.regret, column.agreement)]
+    plots = [box for column in page.columns for box in (column.regret, column.agreement)]
+    boxes = [plot.inset(-0.2 * page.canvas.type.small) for plot in plots]
     assert len(rows) > 100
     for x, y in zip(columns, rows, strict=True):
         assert any(box.left <= x <= box.right and box.top <= y <= box.bottom for box in boxes)
