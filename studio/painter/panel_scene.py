@@ -7,7 +7,6 @@ import numpy as np
 
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
-from studio.framing import bounds_of_shape
 from studio.judgements import Judgement
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label, draw_labels
@@ -21,6 +20,7 @@ from studio.painter.stage import (
     draw_walls,
     goal_label,
     overlap_opacity,
+    view_of,
 )
 from studio.painter.titles import display_name
 from studio.palette import blend
@@ -42,7 +42,7 @@ def draw_scene(
     scene, unit = rollouts.scene, canvas.unit
     caption_height = 1.5 * canvas.type.small
     panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
-    view = View.around(bounds_of_shape(rollouts, panel.width, panel.height), panel)
+    view = view_of(rollouts, panel)
     inside = canvas.clipped(panel)
     count = rollouts.robot.shape[1]
     opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
