@@ -38,7 +38,7 @@ class Results:
     and `rows` go only as far as was learned.
 
     Attributes:
-        teachers: who were learned from, at most `MOST_TEACHERS`.
+        teachers: who were learned from, as many as there is room for.
         left_out: how many more there are.
         fits: all fits in plain types.
         regret: learning curves, in % of a random action's regret.
@@ -57,9 +57,17 @@ class Results:
     reached: float = math.inf
 
     @classmethod
-    def of(cls, table: pa.Table, teachers: Sequence[Teacher]) -> "Results":
-        """All results of fits to these teachers; the table has one row a fit."""
-        shown = tuple(teachers)[:MOST_TEACHERS]
+    def of(
+        cls, table: pa.Table, teachers: Sequence[Teacher], most: int = MOST_TEACHERS
+    ) -> "Results":
+        """All results of fits to these teachers.
+
+        Args:
+            table: one row a fit.
+            teachers: who were learned from.
+            most: how many of them there is room for.
+        """
+        shown = tuple(teachers)[:most]
         names = {teacher.name for teacher in shown}
         kept = np.array([name in names for name in table["teacher"].to_pylist()], dtype=bool)
         table, left_out = table.filter(pa.array(kept)), len(teachers) - len(shown)
