@@ -38,58 +38,63 @@ class Results:
     and `rows` go only as far as was learned.
 
     Attributes:
+        table: one row a fit, of the whole study.
         teachers: who were learned from, as many as there is room for.
         left_out: how many more there are.
-        fits: all fits in plain types.
-        regret: learning curves, in % of a random action's regret.
-        agreement: shares of scenes in which the teacher's best action is picked, 0 to 1.
-        comparisons: of two learners' regrets, one a teacher; none if there is only one learner.
         reached: how many pairs were learned from; between two sizes, learners still think what
             the smaller one taught them.
+        whole: the results of the whole study, if these are a part of it: what is worked out there
+            is not worked out again.
     """
 
+    table: pa.Table
     teachers: tuple[Teacher, ...]
     left_out: int
-    fits: tuple[Row, ...]
-    regret: tuple[Curve, ...]
-    agreement: tuple[Curve, ...]
-    comparisons: tuple[Comparison, ...]
     reached: float = math.inf
+    whole: "Results | None" = None
 
     @classmethod
-    def of(
-        cls, table: pa.Table, teachers: Sequence[Teacher], most: int = MOST_TEACHERS
-    ) -> "Results":
-        """All results of fits to these teachers.
-
-        Args:
-            table: one row a fit.
-            teachers: who were learned from.
-            most: how many of them there is room for.
-        """
-        shown = tuple(teachers)[:most]
+    def of(cls, table: pa.Table, teachers: Sequence[Teacher]) -> "Results":
+        """All results of fits to these teachers, of whom only the first few are shown."""
+        shown = tuple(teachers)[:MOST_TEACHERS]
         names = {teacher.name for teacher in shown}
         kept = np.array([name in names for name in table["teacher"].to_pylist()], dtype=bool)
-        table, left_out = table.filter(pa.array(kept)), len(teachers) - len(shown)
-        if not table.num_rows:
-            return cls(shown, left_out, (), (), (), ())
-        found = cls(
-            shown,
-            left_out,
-            tuple(table.to_pylist()),
-            _finite(learning_curves(table, "regret_percent")),
-            _finite(learning_curves(table, "agreement")),
-            (),
-        )
-        compared = found.compared
-        if compared is None:
-            return found
-        comparisons = compare_learners(table, *compared, "regret_percent")
-        return replace(found, comparisons=tuple(comparisons))
+        return cls(table.filter(pa.array(kept)), shown, len(teachers) - len(shown))
 
     def up_to(self, pairs: float) -> "Results":
         """What was found out by the time of so many pairs."""
-        return replace(self, reached=pairs)
+        return replace(self, reached=pairs, whole=self.whole or self)
+
+    @cached_property
+    def fits(self) -> list[Row]:
+        """All fits of the study in plain types."""
+        if self.whole is not None:
+            return self.whole.fits
+        found: list[Row] = self.table.to_pylist()
+        return found
+
+    @cached_property
+    def regret(self) -> list[Curve]:
+        """Regret, in % of a random action's."""
+        if self.whole is not None:
+            return self.whole.regret
+        return _finite(learning_curves(self.table, "regret_percent")) if self.fits else []
+
+    @cached_property
+    def agreement(self) -> list[Curve]:
+        """Share of scenes in which the teacher's best action is picked, 0 to 1."""
+        if self.whole is not None:
+            return self.whole.agreement
+        return _finite(learning_curves(self.table, "agreement")) if self.fits else []
+
+    @cached_property
+    def comparisons(self) -> list[Comparison]:
+        """Of two learners' regrets, one a teacher; none if there is only one learner."""
+        if self.whole is not None:
+            return self.whole.comparisons
+        if self.compared is None:
+            return []
+        return compare_learners(self.table, *self.compared, "regret_percent")
 
     @cached_property
     def rows(self) -> list[Row]:
@@ -308,6 +313,6 @@ def _signed(difference: float) -> str:
     return text if text.strip("+−0.") else "0.00"
 
 
-def _finite(curves: list[Curve]) -> tuple[Curve, ...]:
+def _finite(curves: list[Curve]) -> list[Curve]:
     """The curves that are numbers all along."""
-    return tuple(curve for curve in curves if np.isfinite(curve.mean).all())
+    return [curve for curve in curves if np.isfinite(curve.mean).all()]
