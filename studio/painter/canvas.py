@@ -8,7 +8,9 @@ Coordinates are pixels, x to the right, y down, and may be fractions: (0, 0) is 
 of the top left pixel. Pixels are red, green, blue.
 """
 
+import functools
 import math
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -29,6 +31,9 @@ REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
 SMALLEST_WIDTH, SMALLEST_HEIGHT = 640, 360
 LARGEST_SIDE = 8192
 
+MARGIN, GAP = 36, 36
+"""Around a page and between its columns, in units of the reference page."""
+
 REGULAR, SEMIBOLD = 400, 600
 """Weights of type."""
 
@@ -36,7 +41,7 @@ _SMALLEST_TYPE = 8  # px
 _FONT = "sans"  # the variable-weight face that OpenCV brings along
 _CAPITAL_HEIGHT = 0.70  # of the type size, in that face
 _ASCENT, _DESCENT = 0.78, 0.22  # of the type size, in that face
-_ELLIPSIS = "…"
+_ELLIPSIS, _MISSING = "…", "□"
 _SHIFT = 4  # OpenCV takes coordinates in sixteenths of a pixel
 _FARTHEST = 1e6  # px; beyond it, coordinates would overflow OpenCV's integers
 
@@ -177,6 +182,16 @@ class Canvas:
         (left, top), (height, width) = self._origin, self.pixels.shape[:2]
         return Box(left, top, left + width, top + height)
 
+    @property
+    def page(self) -> Box:
+        """What can be drawn on within the margin."""
+        return self.box.inset(MARGIN * self.unit)
+
+    @property
+    def gap(self) -> float:
+        """Distance between columns of the page, px."""
+        return GAP * self.unit
+
     def clipped(self, box: Box) -> "Canvas":
         """The same page, the same coordinates, but nothing is drawn outside of the box."""
         left, top = max(round(box.left), 0), max(round(box.top), 0)
@@ -201,6 +216,11 @@ class Canvas:
     def restore(self, still: "Canvas", box: Box) -> None:
         """Make a box look as it does on another page of the same size."""
         self.clipped(box).pixels[:] = still.clipped(box).pixels
+
+    def clear(self, box: Box) -> None:
+        """Make a box empty again, and forget the texts that lie in it."""
+        self.fill(box, self.theme.ground)
+        self.texts[:] = [placed for placed in self.texts if not placed.box.overlaps(box)]
 
     # Shapes
 
@@ -330,6 +350,22 @@ class Canvas:
                 return option
         for length in range(len(options[-1]) - 1, 0, -1):
             shorter = options[-1][:length].rstrip(" _·,") + _ELLIPSIS
+            if self.measure(shorter, size, weight) <= width:
+                return shorter
+        return ""
+
+    def abbreviated(self, name: str, width: float, size: int, weight: int = REGULAR) -> str:
+        """A name, cut in the middle if it is wider than `width`: long names differ at their ends.
+
+        Returns:
+            The name, perhaps with an ellipsis; empty if not even two letters fit.
+        """
+        name = printable(name)
+        if self.measure(name, size, weight) <= width:
+            return name
+        for kept in range(len(name) - 1, 1, -1):
+            head, tail = name[: kept - kept // 3], name[len(name) - kept // 3 :]
+            shorter = head.rstrip() + _ELLIPSIS + tail.lstrip()
             if self.measure(shorter, size, weight) <= width:
                 return shorter
         return ""
@@ -480,8 +516,28 @@ def tinted(pixels: PixelArray, colour: Colour, shares: NDArray[np.float32]) -> P
 
 
 def printable(text: str) -> str:
-    """The text with everything that does not show (line breaks, say) turned into a space."""
-    return "".join(letter if letter.isprintable() else " " for letter in text)
+    """The text as it can be set.
+
+    Everything that does not show (line breaks, say) turns into a space, and a letter that the face
+    lacks into an empty box.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(
+        (letter if _has_glyph(letter) else _MISSING) if letter.isprintable() else " "
+        for letter in unicodedata.normalize("NFC", text)
+    )
+
+
+@functools.cache
+def _has_glyph(letter: str) -> bool:
+    """Whether the face has such a letter; OpenCV sets a question mark in place of what it lacks."""
+    if letter.isascii():
+        return True
+    face, drawn = cv2.FontFace(_FONT), np.zeros((2, 40, 40), np.uint8)
+    for image, text in zip(drawn, (letter, "?"), strict=True):
+        cv2.putText(image, text, (4, 28), (255,), face, 24, REGULAR)
+    return not np.array_equal(*drawn)
 
 
 def _pen(width: float) -> int:

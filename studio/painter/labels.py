@@ -7,12 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.painter.canvas import Box, Canvas, Point
+from studio.painter.canvas import Box, Canvas, FloatArray, Point
 from studio.palette import Colour
 
 _DIRECTIONS = 24
 _RINGS = (0.0, 0.6, 1.2, 2.0, 3.0, 4.5, 6.5)  # distance from the thing, in heights of the label
 _COST_OF_INK = 30.0  # a label wholly on solid ink is as bad as this many heights of distance
+_COST_OF_COVERING = 5.0  # heights; a label that lies on a line which must be seen
 _COST_OF_TURNING = 0.5  # heights; a label that is not where its thing points to
 _COST_OF_CONFUSION = 8.0  # heights; a label that lies nearer to another thing than to its own
 
@@ -40,7 +41,16 @@ class Label:
     direction: Point
 
 
-def draw_labels(canvas: Canvas, labels: Sequence[Label], area: Box, ground: Colour) -> None:
+_NO_POINTS: FloatArray = np.empty((0, 2))
+
+
+def draw_labels(
+    canvas: Canvas,
+    labels: Sequence[Label],
+    area: Box,
+    ground: Colour,
+    seen: FloatArray = _NO_POINTS,
+) -> None:
     """Write labels where there is room, with a line to things that are farther away.
 
     Args:
@@ -48,8 +58,9 @@ def draw_labels(canvas: Canvas, labels: Sequence[Label], area: Box, ground: Colo
         labels: the more important ones first; what finds no room is left out.
         area: where they may lie, px.
         ground: colour of the empty area.
+        seen: [N, 2], points that are best not covered, px.
     """
-    places = place(labels, canvas, area, ground)
+    places = place(labels, canvas, area, ground, seen)
     for label, box in zip(labels, places, strict=True):
         if box is None:
             continue
@@ -68,11 +79,17 @@ def draw_labels(canvas: Canvas, labels: Sequence[Label], area: Box, ground: Colo
         )
 
 
-def place(labels: Sequence[Label], canvas: Canvas, area: Box, ground: Colour) -> list[Box | None]:
+def place(
+    labels: Sequence[Label],
+    canvas: Canvas,
+    area: Box,
+    ground: Colour,
+    seen: FloatArray = _NO_POINTS,
+) -> list[Box | None]:
     """Choose a place for each label, the first ones choosing first.
 
-    A place costs its distance from the thing and the ink that it covers; it never overlaps
-    another label nor leaves the area.
+    A place costs its distance from the thing, the ink and the points that it covers; it never
+    overlaps another label nor leaves the area.
 
     Arguments as for `draw_labels`.
 
@@ -88,6 +105,7 @@ def place(labels: Sequence[Label], canvas: Canvas, area: Box, ground: Colour) ->
             (
                 cost
                 + _COST_OF_INK * ink.share(box)
+                + _COST_OF_COVERING * _covers(box, seen)
                 + _COST_OF_CONFUSION * _is_nearer_to_another(box, label, labels),
                 order,
                 box,
@@ -119,6 +137,11 @@ def _candidates(label: Label, width: float, height: float) -> list[tuple[float, 
             box = Box(x - width / 2, y - height / 2, x + width / 2, y + height / 2)
             found.append((ring + _COST_OF_TURNING * (1 - math.cos(turn)), box))
     return found
+
+
+def _covers(box: Box, points: FloatArray) -> bool:
+    x, y = points.T
+    return bool(((box.left < x) & (x < box.right) & (box.top < y) & (y < box.bottom)).any())
 
 
 def _is_nearer_to_another(box: Box, label: Label, labels: Sequence[Label]) -> bool:

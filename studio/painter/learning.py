@@ -6,24 +6,26 @@ are predicted. A single teacher gets the page to himself, in two columns.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow as pa
 
 from learners import Teacher
-from studio.naming import number, teacher_name
+from studio.naming import counted, number, teacher_name
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
 from studio.painter.learning_minds import draw_calibration, draw_parameters, draw_shapes
 from studio.painter.learning_plots import wrapped
 from studio.painter.learning_progress import draw_agreement, draw_regret
 from studio.painter.learning_results import PARAMETERS, Results, numbers_of
 from studio.painter.learning_scales import Scales
+from studio.painter.titles import draw_heading
 from studio.palette import LIGHT, Theme, teacher_colour
 
 SIZE = (1600, 1000)
 
-_MARGIN, _GAP = 36, 36  # of the page and between its columns, in units of the reference page
 _BETWEEN = 14  # rows
+_NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a page for one teacher that is so many times as wide as high gets two columns
 
 
@@ -76,83 +78,163 @@ def compose_learning_picture(
 
     Arguments and errors as for `draw_learning_picture`.
     """
-    canvas = Canvas(*size, theme)
     results = Results.of(table, teachers)
-    unit, page = canvas.unit, canvas.box.inset(_MARGIN * canvas.unit)
-    top = _draw_title(canvas, page, results) + 16 * unit
-    bottom = _draw_notes(canvas, page, results) - 10 * unit
-    scales = Scales.around(results)
-    body = Box(page.left, top, page.right, bottom)
-    columns = body.columns([1.0] * max(len(results.teachers), 1), _GAP * unit)
-    for teacher, column in zip(results.teachers, columns, strict=False):
-        _draw_teacher(canvas, column, results, teacher, scales)
+    page = lay_out(results, size, theme)
+    return draw_page(page, results)
+
+
+# The page
+
+
+@dataclass(frozen=True)
+class Column:
+    """Where the things to say of one teacher lie.
+
+    Attributes:
+        teacher: who was learned from.
+        head: the teacher and the verdict.
+        regret: the plot of regret.
+        shapes: of weights and values; None if nobody learnt any.
+        parameters: of reward and parameters.
+        calibration: of errors of predictions.
+        agreement: of picks.
+    """
+
+    teacher: Teacher
+    head: Box
+    regret: Box
+    shapes: Box | None
+    parameters: Box
+    calibration: Box
+    agreement: Box
+
+
+@dataclass(frozen=True)
+class Page:
+    """What stays the same however far the results go.
+
+    Attributes:
+        canvas: with the title of the study.
+        heading: where it lies, and the number of pairs at its right.
+        columns: one a teacher.
+        notes: where the notes begin and end.
+        scales: of all plots.
+    """
+
+    canvas: Canvas
+    heading: Box
+    columns: tuple[Column, ...]
+    notes: Box
+    scales: Scales
+
+
+def lay_out(results: Results, size: tuple[int, int], theme: Theme) -> Page:
+    """Draw what stays the same however far the results of a study go.
+
+    Raises:
+        InputError: if the size is not allowed.
+    """
+    canvas = Canvas(*size, theme)
+    kind, unit, page = canvas.type, canvas.unit, canvas.page
+    stages = [results.up_to(pairs) for pairs in results.all_sizes]
+    counts = [canvas.measure(_count(stage), kind.title, SEMIBOLD) for stage in stages]
+    room = page.width - max(counts, default=0.0) - kind.title
+    heading = draw_heading(canvas, page, results.titles(), results.subtitles(), room)
+    lines = max((len(_notes(canvas, page, stage)) for stage in stages), default=0)
+    notes_top = page.bottom - lines * _NOTE_STEP * kind.small
+    notes = Box(page.left, notes_top, page.right, page.bottom)
+    body = Box(page.left, heading.bottom + 16 * unit, page.right, notes.top - 8 * unit)
+    boxes = body.columns([1.0] * max(len(results.teachers), 1), canvas.gap)
+    columns = tuple(
+        _lay_out_column(canvas, box, results, teacher)
+        for teacher, box in zip(results.teachers, boxes, strict=False)
+    )
+    return Page(canvas, heading, columns, notes, Scales.around(results))
+
+
+def _lay_out_column(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> Column:
+    kind, unit, gap = canvas.type, canvas.unit, _BETWEEN * canvas.unit
+    # two lines, each of which may end a pixel lower than it is high
+    height = 9 * unit + kind.heading + 1
+    height += 2 * unit + kind.small + 1 if results.compared else 0
+    head = Box(box.left, box.top, box.right, box.top + height)
+    rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
+    minds = 2 if results.shaped else 1
+    if rest.width > _WIDE * rest.height:
+        left, right = rest.columns((1.1, 1), canvas.gap)
+        regret, predictions = left.rows((1.7, 1), gap)
+        *shapes, parameters = right.rows([1.0] * minds, gap)
+    else:
+        heights = {1: [2.3, 1.2, 1.45], 2: [2.1, 1.3, 1.4, 1.2]}[minds]
+        if results.shaped:
+            # plots no higher than wide, so that slopes can be compared, and their names
+            rows = rest.height - (len(heights) - 1) * gap
+            share = min((rest.width / 3 + 2.5 * kind.small) / rows, heights[1] / sum(heights))
+            heights[1] = share / (1.0 - share) * (sum(heights) - heights[1])
+        regret, *shapes, parameters, predictions = rest.rows(heights, gap)
+    calibration, agreement = predictions.columns((1, 1.25), 20 * unit)
+    shapes_box = shapes[0] if shapes else None
+    return Column(teacher, head, regret, shapes_box, parameters, calibration, agreement)
+
+
+def draw_page(page: Page, results: Results) -> Canvas:
+    """Draw the results, as far as they go, on a page that was laid out for them.
+
+    Returns:
+        A canvas of its own.
+    """
+    canvas = page.canvas.copy()
+    kind, scales = canvas.type, page.scales
+    canvas.text(
+        (page.heading.right, page.heading.top),
+        _count(results),
+        kind.title,
+        canvas.theme.ink,
+        SEMIBOLD,
+        anchor="right",
+        line="top",
+    )
+    for column in page.columns:
+        teacher = column.teacher
+        _draw_head(canvas, column.head, results, teacher)
+        if column.shapes is not None:
+            draw_shapes(canvas, column.shapes, results, teacher, scales)
+        draw_parameters(canvas, column.parameters, results, teacher, scales)
+        draw_calibration(canvas, column.calibration, results, teacher, scales)
+        draw_progress(canvas, column, results, scales)
+    for index, line in enumerate(_notes(canvas, page.notes, results)):
+        top = page.notes.top + index * _NOTE_STEP * kind.small
+        canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
     return canvas
 
 
-def _draw_title(canvas: Canvas, page: Box, results: Results) -> float:
-    """Write what the page is about along its top.
-
-    Returns:
-        Where the title ends, px from the top.
-    """
-    kind = canvas.type
-    title = canvas.fitted(results.titles(), page.width, kind.title, SEMIBOLD)
-    box = canvas.text(
-        (page.left, page.top), title, kind.title, canvas.theme.ink, SEMIBOLD, line="top"
-    )
-    subtitle = canvas.fitted(results.subtitles(), page.width, kind.body)
-    at = (page.left, box.bottom + 4 * canvas.unit)
-    return canvas.text(at, subtitle, kind.body, canvas.theme.faint, line="top").bottom
+def draw_progress(canvas: Canvas, column: Column, results: Results, scales: Scales) -> None:
+    """Draw the curves of one teacher anew, as far as the results go."""
+    for box, draw in ((column.regret, draw_regret), (column.agreement, draw_agreement)):
+        # letters may reach a little over the box that holds their line
+        canvas.clear(box.inset(-0.2 * canvas.type.small))
+        draw(canvas, box, results, column.teacher, scales)
 
 
-def _draw_notes(canvas: Canvas, page: Box, results: Results) -> float:
-    """Write what lines and marks mean along the bottom of the page.
-
-    Returns:
-        Where the notes begin, px from the top.
-    """
-    size = canvas.type.small
-    bottom = page.bottom
-    for line in reversed(wrapped(canvas, results.notes(), page.width, size)):
-        at = (page.left, bottom)
-        bottom = canvas.text(at, line, size, canvas.theme.faint, line="bottom").top - 0.25 * size
-    return bottom
+def _count(results: Results) -> str:
+    """How many pairs were learned from, for the top of the page."""
+    return counted(results.sizes[-1], "pair") if results.sizes else ""
 
 
-def _draw_teacher(
-    canvas: Canvas, column: Box, results: Results, teacher: Teacher, scales: Scales
-) -> None:
-    """Draw all there is to say of one teacher."""
-    gap = _BETWEEN * canvas.unit
-    top = _draw_head(canvas, column, results, teacher)
-    rest = Box(column.left, top + 0.8 * gap, column.right, column.bottom)
-    drawn = [draw_shapes] * bool(results.shaped) + [draw_parameters]
-    if rest.width > _WIDE * rest.height:
-        left, right = rest.columns((1.1, 1), _GAP * canvas.unit)
-        regret, predictions = left.rows((1.7, 1), gap)
-        minds = [*right.rows([1.0] * len(drawn), gap)]
-    else:
-        heights = {1: (2.3, 1.2, 1.45), 2: (2.1, 1.35, 1.3, 1.25)}[len(drawn)]
-        regret, *minds, predictions = rest.rows(heights, gap)
-    draw_regret(canvas, regret, results, teacher, scales)
-    for draw, box in zip(drawn, minds, strict=True):
-        draw(canvas, box, results, teacher, scales)
-    left, right = predictions.columns((1, 1.25), 20 * canvas.unit)
-    draw_calibration(canvas, left, results, teacher, scales)
-    draw_agreement(canvas, right, results, teacher, scales)
+def _notes(canvas: Canvas, box: Box, results: Results) -> list[str]:
+    """What lines and marks mean, in lines."""
+    return wrapped(canvas, results.notes(), box.width, canvas.type.small)
 
 
-def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> float:
-    """Write who was learned from, their parameters, and who learned better.
-
-    Returns:
-        Where the head ends, px from the top.
-    """
+def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> None:
+    """Write who was learned from, their parameters, and who learned better."""
     kind, unit = canvas.type, canvas.unit
     colour = canvas.theme.legible(teacher_colour(teacher.name))
     canvas.fill(Box(box.left, box.top, box.right, box.top + max(2.0, 3 * unit)), colour)
     name = teacher_name(teacher.name)
-    title = canvas.fitted([f"Teacher: {name}", name], box.width, kind.heading, SEMIBOLD)
+    title = f"Teacher: {name}"
+    if canvas.measure(title, kind.heading, SEMIBOLD) > box.width:
+        title = canvas.abbreviated(name, box.width, kind.heading, SEMIBOLD)
     at = (box.left, box.top + 9 * unit)
     written = canvas.text(at, title, kind.heading, colour, SEMIBOLD, line="top")
     given = zip(PARAMETERS.values(), numbers_of(teacher.parameters), strict=True)
@@ -161,9 +243,7 @@ def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> 
         at = (box.right, written.centre[1])
         canvas.text(at, said, kind.small, canvas.theme.faint, anchor="right")
     verdicts = results.verdicts(teacher.name)
-    if not verdicts:
-        # one column may have no verdict yet where the others do
-        return written.bottom + 1.3 * kind.small * (len(results.learners) > 1)
-    verdict = canvas.fitted(verdicts, box.width, kind.small)
-    at = (box.left, written.bottom + 2 * unit)
-    return canvas.text(at, verdict, kind.small, canvas.theme.ink, line="top").bottom
+    if verdicts:
+        verdict = canvas.fitted(verdicts, box.width, kind.small)
+        at = (box.left, written.bottom + 2 * unit)
+        canvas.text(at, verdict, kind.small, canvas.theme.ink, line="top")

@@ -40,7 +40,7 @@ _MOST_SEEDS = 60
 _FEW_SEEDS = 8
 """Lines of more seeds than that are translucent, so that they do not fill the plot."""
 
-_SHADES = {1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
+_SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
 """How dark curves are, from few pairs to many."""
 
 _REWARD = ["Reward θ/‖θ‖", "θ/‖θ‖"]
@@ -109,7 +109,7 @@ def _shaded_rows(results: Results, teacher: Teacher) -> list[tuple[float, Row]]:
     return [
         (shade, row)
         for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
-        for row in results.fits(teacher.name, results.shaped[0], pairs)[:_MOST_SEEDS]
+        for row in results.fits_of(teacher.name, results.shaped[0], pairs)[:_MOST_SEEDS]
         if parameters_of(row) is not None
     ]
 
@@ -141,7 +141,7 @@ def _draw_shape(
         for line in lines:
             part.line(line, tint, unit)
     true = np.stack([_straight(across, x), _straight(up, truth)], axis=-1)
-    dashed_path(part, true, canvas.theme.ink, 2.2 * unit)
+    dashed_path(part, true, canvas.theme.ink, 2.4 * unit)
 
 
 def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
@@ -149,7 +149,7 @@ def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
     unit, size = canvas.unit, canvas.type.small
     sizes, step = results.sharpening, 1.05 * canvas.type.small
     right, bottom = panel.right - 5 * unit, panel.bottom - 0.7 * size
-    widest = max(canvas.measure(str(pairs), size) for pairs in sizes)
+    widest = max((canvas.measure(str(pairs), size) for pairs in sizes), default=0.0)
     left = right - widest - 20 * unit
     # the free corner is as high as half the panel
     if len(sizes) < 2 or len(sizes) * step > 0.5 * panel.height or left < panel.centre[0]:
@@ -340,7 +340,7 @@ def draw_calibration(
     part = canvas.clipped(panel)
     for pairs in dict.fromkeys((*results.sizes[:1], *results.sizes[-1:])):
         for name in results.learners:
-            points = calibration(results.fits(teacher.name, name, pairs))
+            points = calibration(results.fits_of(teacher.name, name, pairs))
             if not len(points):
                 continue
             colour = learner_colour(name)

@@ -1,6 +1,6 @@
 """How learners get better with more pairs: regret, and agreement with the teacher's best action."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +31,7 @@ from studio.palette import Colour, blend, learner_colour
 def draw_regret(
     canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
 ) -> None:
-    """Draw how regret falls with the number of pairs, both logarithmic."""
+    """Draw how regret fell with the number of pairs so far, both logarithmic."""
     kind = canvas.type
     wordings = [
         "Held-out regret, % of a random action's",
@@ -49,16 +49,15 @@ def draw_regret(
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
     if scales.has_zero:
         marks = [0.0, *marks]
-    ends = [(curve, _wordings(curve, _percent(curve.mean[-1]))) for curve in curves]
-    _draw_curves(canvas, panel, results, ends, up, marks, 1.0)
-    if not curves:
+    drawn = _draw_curves(canvas, panel, results, curves, up, marks, 1.0, _percent)
+    if not drawn:
         canvas.text(panel.centre, "no fits yet", kind.small, canvas.theme.faint, anchor="centre")
 
 
 def draw_agreement(
     canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
 ) -> None:
-    """Draw in what share of scenes the teacher's best action is picked."""
+    """Draw in what share of scenes the teacher's best action was picked so far."""
     wordings = [
         "Picks the teacher's best action, % of scenes",
         "Picks the best action, %",
@@ -73,45 +72,65 @@ def draw_agreement(
     # a margin keeps dots at the top whole
     up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
     curves = [curve for curve in results.agreement if curve.teacher == teacher.name]
-    ends = [(curve, _wordings(curve, f"{100 * curve.mean[-1]:.0f}")) for curve in curves]
-    _draw_curves(canvas, panel, results, ends, up, marks, 100.0)
+    _draw_curves(canvas, panel, results, curves, up, marks, 100.0, "{:.0f}".format)
 
 
 def _draw_curves(
     canvas: Canvas,
     panel: Box,
     results: Results,
-    ends: Sequence[tuple[Curve, list[str]]],
+    curves: Sequence[Curve],
     up: Axis | LogAxis,
     marks: Sequence[float],
     scale: float,
-) -> None:
-    """Draw curves over the number of pairs, with bands, whiskers and names at their ends."""
+    say: Callable[[float], str],
+) -> int:
+    """Draw curves over the number of pairs, with bands, whiskers and names at their ends.
+
+    They go as far as the results do; their names stand to the right of the farthest end.
+
+    Args:
+        canvas: to draw on.
+        panel: where, px.
+        results: how far the curves go.
+        curves: of the whole study.
+        up: the vertical axis.
+        marks: values to write beside it.
+        scale: what the curves' values are multiplied by.
+        say: turns such a value into words.
+
+    Returns:
+        How many curves have begun.
+    """
     unit, size = canvas.unit, canvas.type.small
-    named = max((canvas.measure(texts[0], size, SEMIBOLD) for _, texts in ends), default=0.0)
-    room = min(named + 10 * unit, 0.4 * panel.width)
+    wordings = [_wordings(curve, [say(scale * mean) for mean in curve.mean]) for curve in curves]
+    widest = [canvas.measure(said, size, SEMIBOLD) for texts in wordings for said, _ in texts]
+    room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
     pen = 9 * unit
-    if results.sizes:
-        first, last = float(results.sizes[0]), float(results.sizes[-1])
-        if first == last:
-            first = last / 4.0  # a single dot lies beside its name
-    else:
-        first, last = 1.0, 10.0
+    sizes = [float(pairs) for pairs in results.all_sizes]
+    first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
+    if first == last:
+        first = last / 4.0  # a single dot lies beside its name
     start, end = panel.left + pen, panel.right - room - pen
     across = LogAxis(first, last, start, end, start)
     ground(
         canvas,
         panel,
-        across=[across.at(pairs) for pairs in results.sizes],
+        across=[across.at(pairs) for pairs in sizes],
         up=[up.at(mark) for mark in marks],
     )
     labels_beside(canvas, panel, up.at, marks)
     plot = Box(panel.left, panel.top, panel.right - room, panel.bottom)
-    written = labels_below(canvas, plot, across.at, [float(pairs) for pairs in results.sizes], "")
+    written = labels_below(canvas, plot, across.at, sizes, "")
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
-    lines = [_Line.of(curve, across, up, scale) for curve, _ in ends]
+    begun = [
+        (_Line.of(curve, across, up, scale).up_to(across.at(results.reached)), texts)
+        for curve, texts in zip(curves, wordings, strict=True)
+        if curve.pairs[0] <= results.reached
+    ]
+    lines = [line for line, _ in begun]
     part = canvas.clipped(plot)
     for line in lines:
         if len(line.x) > 1 and (line.runs > 1).any():
@@ -124,14 +143,15 @@ def _draw_curves(
     for line in lines:
         part.line(np.stack([line.x, line.y], axis=-1), line.colour, 2.6 * unit)
     for line in lines:
-        for x, y in zip(line.x, line.y, strict=True):
+        for x, y in zip(line.x[line.runs > 0], line.y[line.runs > 0], strict=True):
             dot(part, float(x), float(y), line.colour, 3.4)
-    column = Box(plot.right, panel.top, panel.right, panel.bottom)
+    left = max((float(line.x[-1]) for line in lines), default=end) + pen
     labels = [
-        (float(line.y[-1]), texts, line.colour)
-        for line, (_, texts) in zip(lines, ends, strict=True)
+        (float(line.y[-1]), texts[np.count_nonzero(line.runs) - 1], line.colour)
+        for line, texts in begun
     ]
-    end_labels(canvas, plot.right, column, labels)
+    end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
+    return len(lines)
 
 
 @dataclass(frozen=True)
@@ -140,7 +160,7 @@ class _Line:
 
     Attributes:
         colour: of the learner.
-        runs: [n], how many seeds there are.
+        runs: [n], how many seeds there are; 0 where the line is on its way to the next mean.
         x: [n], where the numbers of pairs lie.
         y: [n], where the means lie.
         low: [n], lower ends of the intervals of the mean.
@@ -167,11 +187,30 @@ class _Line:
             *(up.along(scale * values) for values in (curve.mean, curve.low, curve.high, spread)),
         )
 
+    def up_to(self, x: float) -> "_Line":
+        """The line from its first mean as far as x, px."""
+        # a hundredth of a pixel is a matter of rounding
+        passed = max(1, int(np.searchsorted(self.x, x + 0.01)))
+        if passed == len(self.x):
+            return self
+        share = (x - self.x[passed - 1]) / (self.x[passed] - self.x[passed - 1])
 
-def _wordings(curve: Curve, end: str) -> list[str]:
-    """What is written at the end of a curve, the longest wording first."""
+        def cut(values: FloatArray) -> FloatArray:
+            end = (1.0 - share) * values[passed - 1] + share * values[passed]
+            kept: FloatArray = np.concatenate([values[:passed], end[None]])
+            return kept
+
+        return _Line(
+            self.colour,
+            np.append(self.runs[:passed], 0),
+            *map(cut, (self.x, self.y, self.low, self.high, self.whiskers)),
+        )
+
+
+def _wordings(curve: Curve, values: Sequence[str]) -> list[tuple[str, str]]:
+    """What is written where a curve has each of these values, the longer wording first."""
     name = learner_name(curve.learner)
-    return [f"{name} {end}", name]
+    return [(f"{name} {value}", name) for value in values]
 
 
 def _percent(share: float) -> str:

@@ -1,14 +1,23 @@
 """The results of a study as its picture needs them: who, how many, and what they say in words."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
 
-from learners import FEATURES, CptParameters, Curve, Teacher, compare_learners, learning_curves
+from learners import (
+    FEATURES,
+    Comparison,
+    CptParameters,
+    Curve,
+    Teacher,
+    compare_learners,
+    learning_curves,
+)
 from studio.naming import counted, learner_name, number
 from studio.painter.canvas import FloatArray
 
@@ -23,102 +32,147 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Results:
-    """What a study found out, about the teachers that there is room for.
+    """What a study found out up to some number of pairs, about the teachers there is room for.
+
+    Who learned from whom, the curves and the comparisons are those of the whole study; `sizes`
+    and `rows` go only as far as was learned.
 
     Attributes:
-        table: one row a fit.
-        teachers: who were learned from, at most `MOST_TEACHERS`.
+        table: one row a fit, of the whole study.
+        teachers: who were learned from, as many as there is room for.
         left_out: how many more there are.
+        reached: how many pairs were learned from; between two sizes, learners still think what
+            the smaller one taught them.
+        whole: the results of the whole study, if these are a part of it: what is worked out there
+            is not worked out again.
     """
 
     table: pa.Table
     teachers: tuple[Teacher, ...]
     left_out: int
+    reached: float = math.inf
+    whole: "Results | None" = None
 
     @classmethod
     def of(cls, table: pa.Table, teachers: Sequence[Teacher]) -> "Results":
-        """The results of fits to these teachers."""
+        """All results of fits to these teachers, of whom only the first few are shown."""
         shown = tuple(teachers)[:MOST_TEACHERS]
         names = {teacher.name for teacher in shown}
         kept = np.array([name in names for name in table["teacher"].to_pylist()], dtype=bool)
         return cls(table.filter(pa.array(kept)), shown, len(teachers) - len(shown))
 
+    def up_to(self, pairs: float) -> "Results":
+        """What was found out by the time of so many pairs."""
+        return replace(self, reached=pairs, whole=self.whole or self)
+
     @cached_property
-    def rows(self) -> list[Row]:
-        """The fits in plain types."""
+    def fits(self) -> list[Row]:
+        """All fits of the study in plain types."""
+        if self.whole is not None:
+            return self.whole.fits
         found: list[Row] = self.table.to_pylist()
         return found
 
     @cached_property
-    def learners(self) -> list[str]:
-        """Who learned, in the order of the table."""
-        return list(dict.fromkeys(row["learner"] for row in self.rows))
-
-    @cached_property
-    def sizes(self) -> list[int]:
-        """Numbers of pairs, ascending."""
-        return sorted({row["pairs"] for row in self.rows})
-
-    @cached_property
-    def shaped(self) -> list[str]:
-        """The learners that learn how people weigh and value; `cpt` first."""
-        with_shape = {row["learner"] for row in self.rows if parameters_of(row) is not None}
-        return sorted(
-            (name for name in self.learners if name in with_shape), key=lambda name: name != "cpt"
-        )
-
-    @cached_property
-    def sharpening(self) -> list[int]:
-        """A few numbers of pairs, from least to most, to show how something sharpens."""
-        sizes = self.sizes
-        return sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]}) if sizes else []
-
-    def fits(self, teacher: str, learner: str, pairs: int | None = None) -> list[Row]:
-        """The fits of one learner to one teacher, of all sizes or of one."""
-        return [
-            row
-            for row in self.rows
-            if (row["teacher"], row["learner"]) == (teacher, learner)
-            and (pairs is None or row["pairs"] == pairs)
-        ]
-
-    def largest(self, teacher: str, learner: str) -> list[Row]:
-        """The fits of one learner to one teacher that had the most pairs."""
-        return self.fits(teacher, learner, self.sizes[-1]) if self.sizes else []
-
-    @cached_property
     def regret(self) -> list[Curve]:
         """Regret, in % of a random action's."""
-        return _finite(learning_curves(self.table, "regret_percent")) if self.rows else []
+        if self.whole is not None:
+            return self.whole.regret
+        return _finite(learning_curves(self.table, "regret_percent")) if self.fits else []
 
     @cached_property
     def agreement(self) -> list[Curve]:
         """Share of scenes in which the teacher's best action is picked, 0 to 1."""
-        return _finite(learning_curves(self.table, "agreement")) if self.rows else []
+        if self.whole is not None:
+            return self.whole.agreement
+        return _finite(learning_curves(self.table, "agreement")) if self.fits else []
 
-    def verdicts(self, teacher: str) -> list[str]:
-        """How two learners compare at the largest size; the longest wording first.
-
-        Empty if there are no two learners.
-        """
-        if len(self.learners) < 2 or not self.sizes:
+    @cached_property
+    def comparisons(self) -> list[Comparison]:
+        """Of two learners' regrets, one a teacher; none if there is only one learner."""
+        if self.whole is not None:
+            return self.whole.comparisons
+        if self.compared is None:
             return []
+        return compare_learners(self.table, *self.compared, "regret_percent")
+
+    @cached_property
+    def rows(self) -> list[Row]:
+        """The fits so far."""
+        return [row for row in self.fits if row["pairs"] <= self.reached]
+
+    @cached_property
+    def learners(self) -> list[str]:
+        """Who learned, in the order of the table."""
+        return list(dict.fromkeys(row["learner"] for row in self.fits))
+
+    @cached_property
+    def all_sizes(self) -> list[int]:
+        """Numbers of pairs of the whole study, ascending."""
+        return sorted({row["pairs"] for row in self.fits})
+
+    @cached_property
+    def sizes(self) -> list[int]:
+        """Numbers of pairs so far, ascending."""
+        return [pairs for pairs in self.all_sizes if pairs <= self.reached]
+
+    @cached_property
+    def shaped(self) -> list[str]:
+        """The learners that learn how people weigh and value; `cpt` first."""
+        with_shape = {row["learner"] for row in self.fits if parameters_of(row) is not None}
+        return sorted(
+            (name for name in self.learners if name in with_shape), key=lambda name: name != "cpt"
+        )
+
+    @property
+    def compared(self) -> tuple[str, str] | None:
+        """The learner that is compared, and with whom; None if there are no two."""
+        if len(self.learners) < 2:
+            return None
         baseline = "eu" if "eu" in self.learners else self.learners[0]
         others = [name for name in (*self.shaped, *self.learners) if name != baseline]
-        for found in compare_learners(self.table, others[0], baseline, "regret_percent"):
-            if found.teacher != teacher or found.pairs[-1] != self.sizes[-1]:
+        return others[0], baseline
+
+    @cached_property
+    def sharpening(self) -> list[int]:
+        """A few numbers of pairs so far, from least to most, to show how something sharpens."""
+        sizes = self.sizes
+        return sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]}) if sizes else []
+
+    def fits_of(self, teacher: str, learner: str, pairs: int) -> list[Row]:
+        """The fits of one learner to one teacher from so many pairs."""
+        return [
+            row
+            for row in self.fits
+            if (row["teacher"], row["learner"], row["pairs"]) == (teacher, learner, pairs)
+        ]
+
+    def largest(self, teacher: str, learner: str) -> list[Row]:
+        """The fits of one learner to one teacher from the most pairs so far."""
+        return self.fits_of(teacher, learner, self.sizes[-1]) if self.sizes else []
+
+    def verdicts(self, teacher: str) -> list[str]:
+        """How two learners compare at the most pairs so far; the longest wording first.
+
+        Empty if they cannot be compared there.
+        """
+        if self.compared is None or not self.sizes:
+            return []
+        ours, theirs = map(learner_name, self.compared)
+        for found in self.comparisons:
+            (at,) = np.nonzero(found.pairs == self.sizes[-1])
+            if found.teacher != teacher or not len(at):
                 continue
-            ours, theirs = learner_name(others[0]), learner_name(baseline)
-            ratio = float(found.ratio[-1])
+            ratio = float(found.ratio[at[0]])
             times = f"{ours}'s regret is {number(ratio, '.2f')} × {theirs}'s"
             brief = f"{ours} {number(ratio, '.2f')} × {theirs}"
             if not np.isfinite(ratio):
                 times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
             shift, low, high = (
-                _signed(float(end[-1])) for end in (found.difference, found.low, found.high)
+                _signed(float(end[at[0]])) for end in (found.difference, found.low, found.high)
             )
-            interval = f" [{low}, {high}]" if found.runs[-1] > 1 else ""
-            pairs = counted(int(found.pairs[-1]), "pair")
+            interval = f" [{low}, {high}]" if found.runs[at[0]] > 1 else ""
+            pairs = counted(self.sizes[-1], "pair")
             return [
                 f"At {pairs} {times}: {shift} points{interval}",
                 f"{times}: {shift} points{interval}",
@@ -136,8 +190,8 @@ class Results:
         return rest
 
     def subtitles(self) -> list[str]:
-        """What was studied in one line, the longest wording first."""
-        rows = self.rows
+        """What was studied, as a whole, in one line, the longest wording first."""
+        rows = self.fits
         if not rows:
             return ["no fits yet"]
         fits = counted(len(rows), "fit")
@@ -145,9 +199,9 @@ class Results:
         people = counted(len(self.teachers), "teacher")
         if self.left_out:
             people = f"{len(self.teachers)} of {len(self.teachers) + self.left_out} teachers"
-        pairs = counted(self.sizes[-1], "pair")
-        if len(self.sizes) > 1:
-            pairs = f"{len(self.sizes)} sizes of {self.sizes[0]} to {pairs}"
+        pairs = counted(self.all_sizes[-1], "pair")
+        if len(self.all_sizes) > 1:
+            pairs = f"{len(self.all_sizes)} sizes of {self.all_sizes[0]} to {pairs}"
         learners = counted(len(self.learners), "learner")
         open_ends = sum(row["converged"] is False for row in rows)
         end = f" · {open_ends} did not converge" if open_ends else ""

@@ -19,6 +19,8 @@ from studio.painter.plots import round_range
 class Scales:
     """Ranges that the teachers' panels share, so that they can be compared.
 
+    They hold what was found at every number of pairs, so that nothing moves but what is learned.
+
     Attributes:
         regret: in %, above 0.
         has_zero: whether a mean regret is 0.
@@ -26,7 +28,7 @@ class Scales:
         reach: largest utility of which the value is shown.
         values: of the value functions.
         calibration: largest error of a prediction shown, in %.
-    theta: of the numbers of θ/‖θ‖.
+        theta: of the numbers of θ/‖θ‖.
         parameters: of α, η, λ, γ and δ.
     """
 
@@ -41,7 +43,7 @@ class Scales:
 
     @classmethod
     def around(cls, results: Results) -> "Scales":
-        """Ranges that hold what the study found."""
+        """Ranges that hold what the whole study found."""
         means = np.concatenate([curve.mean for curve in results.regret] or [np.array([1.0])])
         above = means[means > 0.0]
         low, high = (float(above.min()), float(above.max())) if len(above) else (0.1, 10.0)
@@ -58,17 +60,13 @@ class Scales:
             max((1.35 * float(truth[1]) for truth in truths), default=reach),
         )
         units = [unit_vector(teacher.reward) for teacher in results.teachers]
-        learnt = [
-            unit_vector(row["theta"]) for row in results.rows if row["pairs"] == results.sizes[-1]
-        ]
+        learnt = [unit_vector(row["theta"]) for row in results.fits]
         theta = np.concatenate([*units, *learnt, np.zeros(1)])
         numbers = [0.5, 2.0]
         for teacher in results.teachers:
             numbers += numbers_of(teacher.parameters)
-        for row in results.rows:
-            parameters = parameters_of(row)
-            if row["pairs"] == results.sizes[-1] and parameters is not None:
-                numbers += numbers_of(parameters)
+        for parameters in map(parameters_of, results.fits):
+            numbers += numbers_of(parameters) if parameters is not None else []
         return cls(
             regret,
             bool((means <= 0.0).any()),
@@ -82,12 +80,11 @@ class Scales:
 
 
 def _largest_error(results: Results) -> float:
-    """The largest error of predictions at the fewest and the most pairs, in %, rounded up."""
+    """The largest error of predictions at any number of pairs, in %, rounded up."""
+    tasks = [(row["teacher"], row["learner"], row["pairs"]) for row in results.fits]
     errors = [
         abs(float(error))
-        for teacher in results.teachers
-        for learner in results.learners
-        for pairs in {*results.sizes[:1], *results.sizes[-1:]}
-        for _, error in calibration(results.fits(teacher.name, learner, pairs))
+        for task in dict.fromkeys(tasks)
+        for _, error in calibration(results.fits_of(*task))
     ]
     return float(max(5.0, 5.0 * np.ceil(max(errors, default=0.0) / 5.0)))

@@ -8,13 +8,14 @@ import numpy as np
 from learners import REWARD
 from scenes import FEATURES, Rollouts
 from studio.judgements import Judgement
-from studio.naming import teacher_name
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.naming import number, teacher_name
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray
 from studio.painter.plots import (
     Axis,
     draw_histogram,
     draw_icons,
     draw_ticks,
+    icon_pitch,
     round_range,
     signed,
     ticks,
@@ -104,7 +105,7 @@ class ActionTable:
         kind, unit, count = canvas.type, canvas.unit, len(rollouts.actions)
         header, footer = 1.35 * kind.heading + 1.35 * kind.small, 1.7 * kind.small
         most = 0.52 * space.height - header - footer
-        lowest, highest = 1.3 * kind.body, 36 * unit
+        lowest, highest = 1.3 * kind.body, 32 * unit
         row = min(max(most / count, lowest), highest)
         shown = min(count, int(most / row + 1e-9))
         # the last line then says how many are left out
@@ -170,31 +171,35 @@ class ActionTable:
             colour = canvas.theme.action_colour(name)
             canvas.disc((row.left + 6 * unit, middle), 6 * unit, colour)
             left = row.left + 20 * unit
-            text = canvas.fitted(display_name(name), row.right - left, size, SEMIBOLD)
+            text = canvas.abbreviated(display_name(name), row.right - left, size, SEMIBOLD)
             canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
     def _draw_contacts(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
         unit, size, count = canvas.unit, canvas.type.body, rollouts.contact_step.shape[1]
-        self._head(canvas, column, "Contact", "one dot a rollout", canvas.theme.ink)
         room = canvas.measure(f"{count} of {count}", size, SEMIBOLD)
-        for index, row in enumerate(self._rows(column)):
-            touched = int((rollouts.contact_step[index] >= 0).sum())
-            height = min(0.84 * row.height, 32 * unit)
-            icons = Box(
+        height = min(0.84 * self.row, 32 * unit)
+        icons = [
+            Box(
                 row.left,
                 row.centre[1] - height / 2,
                 row.right - room - 8 * unit,
                 row.centre[1] + height / 2,
             )
+            for row in self._rows(column)
+        ]
+        below = "one dot a rollout" if icon_pitch(icons[0], count) else "share of rollouts"
+        self._head(canvas, column, "Contact", below, canvas.theme.ink)
+        for index, box in enumerate(icons):
+            touched = int((rollouts.contact_step[index] >= 0).sum())
             colour = canvas.theme.action_colour(rollouts.actions[index].name)
             faint = blend(colour, canvas.theme.ground, 0.45)
-            drawn = draw_icons(canvas, icons, touched, count, faint)
+            drawn = draw_icons(canvas, box, touched, count, faint)
             canvas.text(
-                (drawn.right + 8 * unit, row.centre[1]),
+                (drawn.right + 8 * unit, box.centre[1]),
                 f"{touched} of {count}",
                 size,
                 canvas.theme.contact if touched else canvas.theme.faint,
-                SEMIBOLD if touched else 400,
+                SEMIBOLD if touched else REGULAR,
             )
 
     def _draw_measure(
@@ -221,7 +226,8 @@ class ActionTable:
         width = canvas.measure("−0.000", size, SEMIBOLD) + 12 * unit
         for index, row in enumerate(self._rows(column)):
             given, middle = float(judgement.values[index]), row.centre[1]
-            text, right = f"{given:.3f}".replace("-", "−"), row.left + width - 6 * unit
+            # + 0.0 turns a −0 into a 0
+            text, right = number(round(given, 3) + 0.0, ".3f"), row.left + width - 6 * unit
             if index == judgement.best:
                 half = min(0.75 * size, row.height / 2 - canvas.hair)
                 pill = Box(row.left, middle - half, row.left + width, middle + half)

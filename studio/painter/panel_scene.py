@@ -7,7 +7,6 @@ import numpy as np
 
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
-from studio.framing import bounds_to_show
 from studio.judgements import Judgement
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label, draw_labels
@@ -21,6 +20,7 @@ from studio.painter.stage import (
     draw_walls,
     goal_label,
     overlap_opacity,
+    view_of,
 )
 from studio.painter.titles import display_name
 from studio.palette import blend
@@ -42,7 +42,7 @@ def draw_scene(
     scene, unit = rollouts.scene, canvas.unit
     caption_height = 1.5 * canvas.type.small
     panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
-    view = View.around(bounds_to_show(rollouts), panel)
+    view = view_of(rollouts, panel)
     inside = canvas.clipped(panel)
     count = rollouts.robot.shape[1]
     opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
@@ -72,7 +72,9 @@ def draw_scene(
     picks = {judgement.best for judgement in judgements}
     named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
     labels = _scene_labels(inside, view, rollouts, medians, goal, named)
-    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel)
+    standing = view.to_pixels([*scene.starts, scene.robot.start])
+    seen = np.concatenate([medians.reshape(-1, 2), standing])
+    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel, seen)
     small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
     caption = canvas.fitted(_captions(rollouts), end - box.left, small)
@@ -98,14 +100,21 @@ def _scene_labels(
 ) -> list[Label]:
     """Names of the robot, its goal and the named actions, the actions at their medians' ends."""
     unit, body, small = canvas.unit, canvas.type.body, canvas.type.small
-    labels = []
+    heading = rollouts.scene.robot.start_heading
+    x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
+    behind = -math.cos(heading), math.sin(heading)
+    reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
+    labels = [
+        Label("robot", small, REGULAR, canvas.theme.ink, (x, y), reach, behind),
+        goal_label(canvas, goal, (goal[0] - x, goal[1] - y)),
+    ]
     for index in sorted(named):
         path = medians[index]
         name = rollouts.actions[index].name
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
-                canvas.fitted(display_name(name), view.box.width / 5, body, SEMIBOLD),
+                canvas.abbreviated(display_name(name), view.box.width / 5, body, SEMIBOLD),
                 body,
                 SEMIBOLD,
                 canvas.theme.legible(canvas.theme.action_colour(name)),
@@ -115,25 +124,26 @@ def _scene_labels(
                 direction=(dx, dy) if math.hypot(dx, dy) > 2 * unit else (0.0, 1.0),
             )
         )
-    heading = rollouts.scene.robot.start_heading
-    x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
-    behind = -math.cos(heading), math.sin(heading)
-    reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
-    labels.append(Label("robot", small, REGULAR, canvas.theme.ink, (x, y), reach, behind))
-    return [*labels, goal_label(canvas, goal, (goal[0] - x, goal[1] - y))]
+    return labels
 
 
 def _captions(rollouts: Rollouts) -> list[str]:
     """What the marks in the scene mean, the longest wording first."""
-    paths = "Thin: every rollout · bold: median"
-    people = "grey: people and their paths without the robot"
-    groups = ["joined: groups"] if rollouts.scene.groups else []
-    contact = ["red: first contact"] if (rollouts.contact_step >= 0).any() else []
+    scene = rollouts.scene
+    people, paths = ([], [])
+    if scene.pedestrians:
+        people, paths = ["grey: people"], ["grey: people and their paths without the robot"]
+    groups = ["joined: groups"] if scene.groups else []
+    contact = (rollouts.contact_step >= 0).any()
+    first, red = (["red: first contact"], ["red: contact"]) if contact else ([], [])
+    every, brief = "Thin: every rollout · bold: median", "Thin: rollouts · bold: median"
     return [
         " · ".join(parts)
         for parts in (
-            [paths, people, *groups, *contact],
-            [paths, "grey: people", *groups, *contact],
-            [paths, *contact],
+            [every, *paths, *groups, *first],
+            [every, *people, *groups, *first],
+            [brief, *people, *groups, *red],
+            [brief, *people, *red],
+            ["Bold: median", *people, *red],
         )
     ]

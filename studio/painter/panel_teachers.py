@@ -176,7 +176,7 @@ def _draw_parameters(
         best = rollouts.actions[judgement.best].name
         canvas.text(
             (pick.left, middle),
-            canvas.fitted(display_name(best), pick.width, kind.body, SEMIBOLD),
+            canvas.abbreviated(display_name(best), pick.width, kind.body, SEMIBOLD),
             kind.body,
             canvas.theme.legible(canvas.theme.action_colour(best)),
             SEMIBOLD,

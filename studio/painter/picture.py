@@ -11,17 +11,17 @@ from pathlib import Path
 from scenes import Rollouts
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
+from studio.painter.canvas import Box, Canvas, PixelArray
 from studio.painter.panel_actions import ActionTable
 from studio.painter.panel_scene import draw_scene
 from studio.painter.panel_teachers import draw_teachers
-from studio.painter.titles import subtitles, titles
+from studio.painter.titles import draw_heading, subtitles, titles
 from studio.palette import LIGHT, Theme
 
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
 
-_MARGIN, _GAP = 36, 36  # of the page and between its blocks, in units of the reference page
+_STACKED = 1.5  # where the upper part is less wide than so many times its height
 
 
 def draw_picture(
@@ -74,36 +74,26 @@ def compose_picture(
     Arguments and errors as for `draw_picture`.
     """
     canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
-    unit, page = canvas.unit, canvas.box.inset(_MARGIN * canvas.unit)
-    body_top = _draw_title(canvas, page, rollouts) + 16 * unit
+    unit, page = canvas.unit, canvas.page
+    heading = draw_heading(canvas, page, titles(rollouts), subtitles(rollouts), page.width)
+    body_top = heading.bottom + 16 * unit
     table = ActionTable.fit(canvas, Box(page.left, body_top, page.right, page.bottom), rollouts)
     upper = Box(page.left, body_top, page.right, table.box.top - 26 * unit)
-    scene, teachers = upper.columns(_widths(rollouts, upper), _GAP * unit)
+    scene, teachers = _halves(upper, rollouts, canvas.gap)
     draw_scene(canvas, scene, rollouts, judgements)
     draw_teachers(canvas, teachers, rollouts, judgements)
     table.draw(canvas, rollouts, judgements)
     return canvas
 
 
-def _widths(rollouts: Rollouts, upper: Box) -> tuple[float, float]:
-    """Shares of the width for the scene and the teachers: a long scene gets more."""
+def _halves(upper: Box, rollouts: Rollouts, gap: float) -> tuple[Box, Box]:
+    """Where the scene and the teachers lie: side by side, or on a high page below one another."""
+    if upper.width < _STACKED * upper.height:
+        scene, teachers = upper.rows((1.9, 1.0), 0.6 * gap)
+        return scene, teachers
     x0, y0, x1, y1 = bounds_to_show(rollouts)
+    # a long scene gets more
     share = (x1 - x0) / (y1 - y0) * upper.height / upper.width
     share = min(max(share, 0.5), 0.67)
-    return share, 1.0 - share
-
-
-def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
-    """Write what the page is about along its top.
-
-    Returns:
-        Where the title ends, px from the top.
-    """
-    kind = canvas.type
-    title = canvas.fitted(titles(rollouts), page.width, kind.title, SEMIBOLD)
-    box = canvas.text(
-        (page.left, page.top), title, kind.title, canvas.theme.ink, SEMIBOLD, line="top"
-    )
-    subtitle = canvas.fitted(subtitles(rollouts), page.width, kind.body)
-    at = (page.left, box.bottom + 4 * canvas.unit)
-    return canvas.text(at, subtitle, kind.body, canvas.theme.faint, line="top").bottom
+    scene, teachers = upper.columns((share, 1.0 - share), gap)
+    return scene, teachers

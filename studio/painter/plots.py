@@ -139,6 +139,15 @@ def icon_columns(count: int, rows: int = 5) -> int:
     return math.ceil(count / rows)
 
 
+def icon_pitch(box: Box, count: int, rows: int = 5) -> float:
+    """Distance between the icons of an array of so many in so many rows, px.
+
+    It is 0 where icons would be too small to tell apart.
+    """
+    pitch = min(box.width / icon_columns(count, rows), box.height / rows)
+    return pitch if pitch >= 3.0 else 0.0
+
+
 def draw_icons(
     canvas: Canvas, box: Box, touched: int, count: int, colour: Colour, rows: int = 5
 ) -> Box:
@@ -149,9 +158,8 @@ def draw_icons(
     Returns:
         The box that it takes up, at the left of the given one.
     """
-    columns = icon_columns(count, rows)
-    pitch = min(box.width / columns, box.height / rows)
-    if pitch < 3.0:
+    columns, pitch = icon_columns(count, rows), icon_pitch(box, count, rows)
+    if not pitch:
         bar = Box(
             box.left, box.centre[1] - 4 * canvas.unit, box.right, box.centre[1] + 4 * canvas.unit
         )

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
+from studio.framing import bounds_of_shape
 from studio.painter.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label
 from studio.palette import Colour, blend
@@ -17,6 +19,11 @@ def overlap_opacity(count: int) -> float:
     they are made of.
     """
     return float(1.0 - 0.35 ** min(7.0 / count, 1.0))
+
+
+def view_of(rollouts: Rollouts, box: Box) -> View:
+    """The view that shows in a box what a scene is about; see `studio.framing`."""
+    return View.around(bounds_of_shape(rollouts, box.width, box.height), box)
 
 
 def draw_ground(canvas: Canvas, view: View) -> None:
@@ -125,7 +132,7 @@ def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) ->
     """
     lengths = [digit * 10.0**power for power in (-1, 0, 1, 2, 3) for digit in (1, 2, 5)]
     metres = max(
-        (length for length in lengths if length * view.scale < 0.2 * view.box.width),
+        (length for length in lengths if length * view.scale < 0.15 * view.box.width),
         default=lengths[0],
     )
     size, tall = canvas.type.small, 0.5 * canvas.type.small

@@ -1,6 +1,9 @@
 """What pictures and films say about themselves in words."""
 
+from collections.abc import Sequence
+
 from scenes import Rollouts
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
 
 
 def display_name(name: str) -> str:
@@ -32,6 +35,40 @@ def subtitles(rollouts: Rollouts) -> list[str]:
         f"{sizes} · {crowd} · {horizon} · {rollouts.model} · {seed}",
         f"{sizes} · {horizon} · {rollouts.model} · {seed}",
     ]
+
+
+def draw_heading(
+    canvas: Canvas, page: Box, titles: Sequence[str], subtitles: Sequence[str], room: float
+) -> Box:
+    """Write a title and a subtitle along the top of a page, each in the wording that fits.
+
+    Args:
+        canvas: to draw on.
+        page: within whose top and sides they lie, px.
+        titles: the longest wording first.
+        subtitles: the longest wording first.
+        room: for the title, px from the left of the page.
+
+    Returns:
+        The box of both, as wide as the page.
+    """
+    kind = canvas.type
+    title = canvas.text(
+        (page.left, page.top),
+        canvas.fitted(titles, room, kind.title, SEMIBOLD),
+        kind.title,
+        canvas.theme.ink,
+        SEMIBOLD,
+        line="top",
+    )
+    subtitle = canvas.text(
+        (page.left, title.bottom + 4 * canvas.unit),
+        canvas.fitted(subtitles, page.width, kind.body),
+        kind.body,
+        canvas.theme.faint,
+        line="top",
+    )
+    return Box(page.left, page.top, page.right, subtitle.bottom)
 
 
 def _plural(count: int, word: str) -> str:

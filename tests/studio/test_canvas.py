@@ -131,6 +131,33 @@ def test_text_is_cut_only_where_no_wording_fits():
     assert canvas.fitted("anything", 2.0, 16) == ""
 
 
+def test_names_are_cut_in_the_middle():
+    canvas = a_canvas()
+    name = "a long name of an action, number 7"
+    assert canvas.abbreviated(name, 1000.0, 16) == name
+    cut = canvas.abbreviated(name, 120.0, 16)
+    assert cut.startswith("a long")
+    assert cut.endswith("r 7")
+    assert "…" in cut
+    assert canvas.measure(cut, 16) <= 120.0
+    assert canvas.abbreviated(name, 2.0, 16) == ""
+
+
+def test_letters_that_the_face_lacks_become_boxes_and_no_others():
+    canvas = a_canvas()
+    canvas.text((10.0, 50.0), "e\u0301 λ ? − ทา 🤖 走", 16, BLACK)
+    assert canvas.texts[-1].text == "é λ ? − □□ □ 走"
+
+
+def test_a_cleared_box_is_empty_and_says_nothing():
+    canvas = a_canvas()
+    canvas.text((10.0, 50.0), "here", 16, BLACK)
+    canvas.text((10.0, 150.0), "there", 16, BLACK)
+    canvas.clear(Box(0.0, 0.0, 640.0, 100.0))
+    assert [placed.text for placed in canvas.texts] == ["there"]
+    assert (canvas.pixels[:100] == 255).all()
+
+
 def test_line_breaks_in_names_do_not_break_lines():
     canvas = a_canvas()
     canvas.text((10.0, 50.0), "one\ntwo\tthree", 16, BLACK)
@@ -212,6 +239,15 @@ def test_labels_lie_near_their_things_apart_from_one_another_and_off_the_ink():
     for label, box in zip(labels, places, strict=True):
         assert distance(box, label.near) < 130.0
         assert canvas.clipped(box).pixels.min() == 255
+
+
+def test_labels_keep_off_the_points_that_are_to_be_seen():
+    canvas = a_canvas()
+    label, seen = a_label(canvas, (300.0, 180.0)), np.array([[320.0, 180.0]])
+    (covering,) = place([label], canvas, canvas.box, WHITE)
+    (aside,) = place([label], canvas, canvas.box, WHITE, seen)
+    assert distance(covering, (320.0, 180.0)) == 0.0
+    assert distance(aside, (320.0, 180.0)) > 0.0
 
 
 def test_a_label_lies_where_its_thing_points_to_if_that_is_free():

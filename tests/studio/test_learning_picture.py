@@ -11,9 +11,12 @@ from studio.errors import InputError, RunError
 from studio.painter.learning import (
     compose_learning_picture,
     draw_learning_picture,
+    lay_out,
     write_learning_picture,
 )
-from studio.palette import LEARNER_COLOURS, LIGHT
+from studio.painter.learning_film import compose_learning_film, play
+from studio.painter.learning_results import Results
+from studio.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
 THREE = tuple(TEACHERS.values())
@@ -104,7 +107,7 @@ CASES = {
     "more teachers than there is room for": lambda: case(OWN),
     "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
     "huge regret": lambda: case(regret_percent=12345.6),
-    "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=2),
+    "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=1),
     "nothing fitted": lambda: (a_table().slice(0, 0), THREE),
     "one teacher fitted": lambda: (a_table((TEACHERS["eu"],)), THREE),
     "nothing converged": lambda: case(converged=False),
@@ -127,15 +130,19 @@ def has_colour(pixels, colour):
     return bool((pixels == colour).all(axis=-1).any())
 
 
-@pytest.mark.parametrize(
-    ("name", "size"),
-    [
-        *itertools.product(CASES, [(640, 400), (1600, 1000)]),
-        *itertools.product(["default", "one teacher"], SIZES[3:]),
-    ],
-)
-def test_texts_stay_on_the_page_and_off_one_another(name, size):
-    canvas = compose_learning_picture(*CASES[name](), size)
+def pages():
+    """Every case on the smallest page and another one, the usual case on all of them."""
+    others = itertools.cycle([(1080, 1350), (1600, 900), (1600, 1000), (1280, 720)])
+    for name, other in zip(CASES, others, strict=False):
+        yield name, (640, 360), "light"
+        yield name, other, "dark"
+    for name, size in itertools.product(["default", "one teacher"], SIZES):
+        yield name, size, "light"
+
+
+@pytest.mark.parametrize(("name", "size", "theme"), [*pages()])
+def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
+    canvas = compose_learning_picture(*CASES[name](), size, THEMES[theme])
     assert len(canvas.texts) > 5
     for text in canvas.texts:
         assert canvas.box.contains(text.box), text
@@ -231,3 +238,141 @@ def test_what_cannot_be_drawn_or_written_is_refused_in_one_line(tmp_path):
         draw_learning_picture(*case(), (320, 200))
     with pytest.raises(RunError, match="cannot be written"):
         write_learning_picture(tmp_path / "nowhere" / "learning.png", *case(), (640, 400))
+
+
+# The film
+
+FILM_SIZE = (640, 400)
+FRAMES_PER_SECOND = 10
+STANDING, MOVING, ENDING = 12, 5, 30  # frames
+
+
+def incomplete():
+    """The last size is known of one learner of one teacher only; one teacher has none at all."""
+    table = a_table(THREE[:2])
+    rows = table.to_pylist()
+    kept = [
+        row["pairs"] < 2000 or (row["teacher"], row["learner"]) == ("tk", "cpt") for row in rows
+    ]
+    return table.filter(kept), THREE
+
+
+FILMED = {
+    "default": lambda: case(),
+    "one size": lambda: case(sizes=(100,), seeds=1),
+    "one teacher": lambda: case((TEACHERS["tk"],)),
+    "six teachers": lambda: case(OWN),
+    "only eu": lambda: case(learners=("eu",)),
+    "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
+    "incomplete": incomplete,
+}
+
+
+def frames_of(table, teachers, **options):
+    segments = compose_learning_film(table, teachers, FILM_SIZE, FRAMES_PER_SECOND, **options)
+    return [[frame.copy() for frame in segment.frames()] for segment in segments], segments
+
+
+def page_at(table, teachers, pairs):
+    results = Results.of(table, teachers)
+    (canvas,) = play(lay_out(results, (1600, 1000), LIGHT), [results.up_to(pairs)])
+    return canvas
+
+
+def texts_at(table, teachers, pairs):
+    return texts_of(page_at(table, teachers, pairs))
+
+
+@pytest.mark.parametrize("name", FILMED)
+def test_the_film_stands_at_every_number_of_pairs_and_ends_with_the_picture(name):
+    table, teachers = FILMED[name]()
+    drawn, segments = frames_of(table, teachers)
+    sizes = sorted(set(table["pairs"].to_pylist()))
+    lengths = [MOVING - 1 + STANDING] * len(sizes)
+    lengths[0], lengths[-1] = STANDING, MOVING - 1 + ENDING
+    if len(sizes) == 1:
+        lengths = [ENDING]
+    assert [len(frames) for frames in drawn] == lengths
+    assert [segment.length for segment in segments] == lengths
+    held = ENDING if len(sizes) == 1 else STANDING
+    for frames in drawn:
+        assert all(np.array_equal(frame, frames[-1]) for frame in frames[-held:])
+    assert np.array_equal(drawn[-1][-1], draw_learning_picture(table, teachers, FILM_SIZE))
+
+
+def test_a_study_without_fits_has_a_film_too():
+    drawn, _ = frames_of(a_table().slice(0, 0), THREE)
+    assert len(drawn) == 1
+    assert np.array_equal(
+        drawn[0][-1], draw_learning_picture(a_table().slice(0, 0), THREE, FILM_SIZE)
+    )
+
+
+def test_only_curves_move_between_two_numbers_of_pairs():
+    table, teachers = case()
+    results = Results.of(table, teachers)
+    page = lay_out(results, FILM_SIZE, LIGHT)
+    stages = [results.up_to(pairs) for pairs in (25, 40, 80, 200)]
+    stood, moved, farther, arrived = (canvas.pixels.copy() for canvas in play(page, stages))
+    rows, columns = np.nonzero((stood != moved).any(axis=-1))
+    plots = [box for column in page.columns for box in (column.regret, column.agreement)]
+    boxes = [plot.inset(-0.2 * page.canvas.type.small) for plot in plots]
+    assert len(rows) > 100
+    for x, y in zip(columns, rows, strict=True):
+        assert any(box.left <= x <= box.right and box.top <= y <= box.bottom for box in boxes)
+    assert (moved != farther).any()
+    assert (farther != arrived).any()
+
+
+def test_a_later_page_has_the_axes_of_an_earlier_one():
+    early, late = (
+        {
+            placed
+            for placed in page_at(*case(), pairs).texts
+            if placed.text.isdigit() or placed.text in ("0.1", "0.5", "−0.5", "predicted")
+        }
+        for pairs in (25, 2000)
+    )
+    assert len(early) > 60
+    assert early <= late
+
+
+def test_every_page_says_how_many_pairs_and_what_was_found_out_from_them():
+    table, teachers = case()
+    for pairs in (25, 200, 2000):
+        texts = texts_at(table, teachers, pairs)
+        assert f"{pairs} pairs" in texts
+        assert any(f"Reward and parameters at {pairs} pairs" in text for text in texts)
+        assert sum("CPT's regret is" in text for text in texts) == 3
+    before, after = (texts_at(table, teachers, pairs) for pairs in (199, 200))
+    assert "25 pairs" in before
+    assert "200 pairs" in after
+
+
+def test_what_a_study_lacks_is_not_told_before_its_time():
+    table, teachers = incomplete()
+    assert texts_at(table, teachers, 200).count("no fits yet") == 1
+    assert not any("regret is" in text for text in texts_at(table, teachers, 2000))
+
+
+@pytest.mark.parametrize("name", FILMED)
+def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(name):
+    results = Results.of(*FILMED[name]())
+    page = lay_out(results, (640, 360), LIGHT)
+    for canvas in play(page, [results.up_to(pairs) for pairs in (25, 90, 100, 200, 700, 2000)]):
+        for text in canvas.texts:
+            assert canvas.box.contains(text.box), text
+        for first, second in itertools.combinations(canvas.texts, 2):
+            assert not first.box.overlaps(second.box), (first, second)
+
+
+def test_a_film_has_its_theme():
+    drawn, _ = frames_of(*case(sizes=(25,)), theme=DARK)
+    assert tuple(drawn[0][0][0, 0]) == DARK.ground
+
+
+@pytest.mark.parametrize("size", [(641, 400), (320, 200)])
+def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size):
+    with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
+        compose_learning_film(*case(), size)
+    assert "\n" not in str(error.value)
