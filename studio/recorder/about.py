@@ -1,7 +1,9 @@
 """The pages of a recording, in Markdown: what one sees, and how to make it again."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict
+from itertools import combinations
 
 import numpy as np
 
@@ -10,6 +12,7 @@ from scenes import FEATURES, Noise, Rollouts, scene_to_toml
 from studio.judgements import Judgement
 from studio.naming import counted, number, teacher_name
 from studio.recorder import entities
+from studio.recorder.log_ranks import discordant_pairs
 
 
 def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
@@ -33,6 +36,30 @@ def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             f"{'; '.join(picks)}.",
         ]
     )
+
+
+def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
+    """Which pairs of actions two teachers order differently, and what that costs."""
+    count = math.comb(len(rollouts.actions), 2)
+    if len(judgements) < 2 or not count:
+        return "It takes two teachers and two actions to disagree."
+    lines = [
+        f"Pairs of actions, of {count}, that two teachers order differently, and how much value "
+        "the second one loses by doing what the first one picks.",
+        "",
+        "| teachers | pairs | loss |",
+        "|:--|--:|--:|",
+    ]
+    details = []
+    for one, other in combinations(judgements, 2):
+        pairs = discordant_pairs(one.values, other.values)
+        loss = number(other.values[other.best] - other.values[one.best], ".3f")
+        first, second = teacher_name(one.teacher), teacher_name(other.teacher)
+        lines.append(f"| {first}, {second} | {len(pairs)} | {loss} |")
+        if pairs:
+            details += ["", f"| {first} prefers | {second} prefers |", "|:--|:--|"]
+            details += [f"| {_link(rollouts, a)} | {_link(rollouts, b)} |" for a, b in pairs]
+    return "\n".join(lines + details)
 
 
 def about_page(

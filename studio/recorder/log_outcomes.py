@@ -33,8 +33,11 @@ PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.3
 STROKE = 0.02
 """How far apart the strokes that fill a bar are at most, in units of the page."""
 
-COLUMN_WIDTH, ROW_HEIGHT = 1.2, 0.45
+COLUMN_WIDTH, ROW_HEIGHT = 1.4, 0.45
 """Of the table that compares actions, in units of the page."""
+
+LETTER_WIDTH = 0.12
+"""Of the names of actions beside that table where it is small, in units of the page."""
 
 GOLDEN_RATIO = 0.618034
 
@@ -173,7 +176,7 @@ def log_comparison(
     heights = rows[:, None] + 0.6 * ROW_HEIGHT * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
     for row, action in zip(rows, rollouts.actions, strict=True):
-        drawing.text((-0.6, row), short(action.name))
+        drawing.text((-name_room(rollouts) / 2.0, row), short(action.name))
     for column, feature in enumerate(FEATURES):
         places = draw_column(drawing, column, feature, rollouts.features[..., column], rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
@@ -255,4 +258,10 @@ def distributions_bounds(rollouts: Rollouts) -> Bounds:
 def comparison_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
     """What a view of the comparison must show."""
     columns = len(FEATURES) + teachers
-    return -1.1, -ROW_HEIGHT * (len(rollouts.actions) + 1), columns * COLUMN_WIDTH, 0.35
+    bottom = -ROW_HEIGHT * (len(rollouts.actions) + 1)
+    return -name_room(rollouts), bottom, columns * COLUMN_WIDTH, 0.4
+
+
+def name_room(rollouts: Rollouts) -> float:
+    """How much room the names of the actions take beside the comparison."""
+    return 0.3 + LETTER_WIDTH * max(len(short(action.name)) for action in rollouts.actions)
