@@ -52,7 +52,7 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
         rrb.Vertical(
             page_view(entities.SUMMARY, "Summary"),
             *([clearance_view()] if rollouts.scene.pedestrians else []),
-            row_shares=[3, 2] if rollouts.scene.pedestrians else [1],
+            row_shares=[2, 1] if rollouts.scene.pedestrians else [1],
         ),
         column_shares=[5, 3],
         name="Overview",
@@ -104,7 +104,8 @@ def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
                 entities.VALUES,
             ],
             curves_bounds(),
-            "How much probabilities p and outcomes count, and how good the utility x feels",
+            "How much probabilities p count, and 50 outcomes from the worst loss to the best gain; "
+            "how good the utility x feels",
         ),
         rrb.Horizontal(
             figure_view(

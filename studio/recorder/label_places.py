@@ -15,13 +15,13 @@ VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0
 LETTER_WIDTH, PADDING, LABEL_HEIGHT = 7.0, 16.0, 24.0
 """Of a letter, around the letters on both sides, and of the whole label, px."""
 
-DISTANCES = (0.75, 1.25, 2.0, 3.0, 4.5)
+DISTANCES = (0.75, 1.25, 2.0, 3.0, 4.5, 6.0)
 """How far from what it names a label may stand, in its own heights."""
 
 DIRECTIONS = 16
 """In how many directions around it."""
 
-COST_OF_HIDING, COST_OF_DISTANCE, COST_OF_TURNING = 20.0, 0.5, 1.0
+COST_OF_HIDING, COST_OF_DISTANCE, COST_OF_TURNING = 60.0, 0.4, 1.0
 """Of hiding the ways of a whole action; of a label's height; of standing behind, not ahead."""
 
 COST_OF_WALL = 3.0
@@ -40,6 +40,19 @@ def metres_per_pixel(bounds: Bounds) -> float:
     return max((x1 - x0) / VIEW_WIDTH, (y1 - y0) / VIEW_HEIGHT)
 
 
+def half_size(words: str, bounds: Bounds) -> FloatArray:
+    """Half the width and half the height of a label in a small view of these bounds, m."""
+    size = np.array([LETTER_WIDTH * len(words) + PADDING, LABEL_HEIGHT])
+    return size * metres_per_pixel(bounds) / 2.0
+
+
+def leader(end: FloatArray, middle: FloatArray, half: FloatArray) -> FloatArray:
+    """The line from what a label names to the edge of the label, [2, 2], m."""
+    away = np.abs(end - middle)
+    inside = float(np.min(half / np.maximum(away, half)))
+    return np.stack([end, middle + inside * (end - middle)])
+
+
 def label_places(
     labels: tuple[str, ...], ways: FloatArray, walls: FloatArray, bounds: Bounds
 ) -> FloatArray:
@@ -54,8 +67,7 @@ def label_places(
     Returns:
         [A, 2], m.
     """
-    pixel = metres_per_pixel(bounds)
-    height = LABEL_HEIGHT * pixel
+    height = LABEL_HEIGHT * metres_per_pixel(bounds)
     angles = np.linspace(0.0, 2.0 * np.pi, DIRECTIONS, endpoint=False)
     low, high = np.array(bounds).reshape(2, 2)
     traces = ways.reshape(-1, 2)
@@ -65,7 +77,7 @@ def label_places(
     places: list[FloatArray] = []
     halves: list[FloatArray] = []
     for words, middle in zip(labels, middles, strict=True):
-        half = np.array([LETTER_WIDTH * len(words) + PADDING, LABEL_HEIGHT]) * pixel / 2.0
+        half = half_size(words, bounds)
         along = middle[-1] - middle[0]
         turned = np.arctan2(along[1], along[0]) + angles
         ahead = np.stack([np.cos(turned), np.sin(turned)], axis=-1)

@@ -71,7 +71,7 @@ def log_curves(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) ->
 def log_weighting(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
     """Draw w(p) of gains and of losses: how much a probability counts."""
     # denser towards 0 and 1, where the curves are steep
-    p: FloatArray = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
+    p = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
     gains = [weight(p, each.parameters.gamma).numpy() for each in judgements]
     losses = [weight(p, each.parameters.delta).numpy() for each in judgements]
     ticks = (0.0, 0.5, 1.0)
@@ -86,12 +86,12 @@ def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement
 
     The worse half are losses, the better half are gains. A weight of 1 is that of the probability.
     """
-    places = np.arange(RANKS) + 0.5
+    places = np.arange(0.5, RANKS)
     utilities = places - RANKS / 2.0
     curves = [RANKS * decision_weights(utilities, each.parameters).numpy() for each in judgements]
     panel = Panel(
         2,
-        "decision weight × 50 of losses and gains",
+        "decision weight × 50",
         (0.0, RANKS / 2.0, float(RANKS)),
         round_ticks(0.0, float(np.max(curves))),
     )
@@ -146,12 +146,12 @@ def log_panel(
         if has_key:
             y = top - (0.09 + 0.12 * row) * panel.height
             drawing.line(
-                [(left + 0.05 * panel.width, y), (left + 0.15 * panel.width, y)], colour, 4.0
+                [(left + 0.04 * panel.width, y), (left + 0.13 * panel.width, y)], colour, 4.0
             )
-            drawing.text((left + 0.3 * panel.width, y), teacher_name(judgements[row].teacher))
+            drawing.text((left + 0.29 * panel.width, y), teacher_name(judgements[row].teacher))
     drawing.log(stream, figure)
 
 
 def curves_bounds() -> Bounds:
     """What a view of the four panels must show."""
-    return -0.2, -0.19, (PANELS - 1) * PANEL_PITCH + 1.08, 1.18
+    return -0.2, -0.21, (PANELS - 1) * PANEL_PITCH + 1.08, 1.18

@@ -27,7 +27,7 @@ BINS: dict[str, tuple[float, float, float]] = {
 ROUNDING = 1e-9
 """A value that leaves the bins by this share of one does so by rounding only."""
 
-PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.3
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
 """Of the panels of a figure of distributions, in units of the page."""
 
 STROKE = 0.02
@@ -114,9 +114,9 @@ def draw_histogram(
     low, high, margin = edges[0], edges[-1], 0.0
     if feature == "collisions":  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
-    drawing.text((left + margin, -0.12), tick(low))
-    drawing.text((left + PANEL_WIDTH - margin, -0.12), tick(high))
-    drawing.text((left - 0.08, PANEL_HEIGHT), str(peak))
+    drawing.text((left + margin, -0.15), tick(low))
+    drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
+    drawing.text((left - 0.13, PANEL_HEIGHT), str(peak))
 
 
 def draw_band(
@@ -146,10 +146,10 @@ def draw_band(
     draw_frame(drawing, left, "gap over time")
     drawing.line([(left, -low * scale), (left + PANEL_WIDTH, -low * scale)], LIGHT.faint, 1.0)
     drawing.line(np.stack([x, middle], axis=-1), colour, 3.0)
-    drawing.text((left, -0.12), "0 s")
-    drawing.text((left + PANEL_WIDTH, -0.12), f"{horizon:g} s")
-    drawing.text((left - 0.1, PANEL_HEIGHT), f"{high:.1f} m")
-    drawing.text((left - 0.1, -low * scale), "0 m")
+    drawing.text((left, -0.15), "0 s")
+    drawing.text((left + PANEL_WIDTH, -0.15), f"{horizon:g} s")
+    drawing.text((left - 0.19, PANEL_HEIGHT), f"{high:.1f} m")
+    drawing.text((left - 0.19, -low * scale), "0 m")
 
 
 def draw_frame(drawing: Drawing, left: float, title: str) -> None:
@@ -215,7 +215,7 @@ def draw_column(
     stretch = width / (high - low or 1.0)
     zero = left - low * stretch
     drawing.line([(zero, 0.0), (zero, rows[-1] - ROW_HEIGHT / 2)], LIGHT.faint, 1.0)
-    drawing.text((left + width / 2, 0.2), title)
+    drawing.text((left + width / 2, 0.26), title)
     reach = f"{number(low, '.2g')} to {number(high, '.2g')}"
     drawing.text((left + width / 2, rows[-1] - 0.8 * ROW_HEIGHT), reach)
     return zero + stretch * values
@@ -252,14 +252,14 @@ def distributions_bounds(rollouts: Rollouts) -> Bounds:
     """What a view of a figure of distributions must show."""
     panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
     width = panels * (PANEL_WIDTH + PANEL_GAP) - PANEL_GAP
-    return -0.25, -0.3, width + 0.15, PANEL_HEIGHT + 0.25
+    return -0.25, -0.32, width + 0.15, PANEL_HEIGHT + 0.25
 
 
 def comparison_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
     """What a view of the comparison must show."""
     columns = len(FEATURES) + teachers
     bottom = -ROW_HEIGHT * (len(rollouts.actions) + 1)
-    return -name_room(rollouts), bottom, columns * COLUMN_WIDTH, 0.4
+    return -name_room(rollouts), bottom, columns * COLUMN_WIDTH, 0.48
 
 
 def name_room(rollouts: Rollouts) -> float:

@@ -15,7 +15,13 @@ from studio.naming import short
 from studio.palette import Theme, blend
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
-from studio.recorder.label_places import LABEL_HEIGHT, label_places, metres_per_pixel
+from studio.recorder.label_places import (
+    LABEL_HEIGHT,
+    half_size,
+    label_places,
+    leader,
+    metres_per_pixel,
+)
 
 RESOLUTION = 1.0 / 128.0
 """Positions are rounded to this, about 8 mm: they are at most 4 mm off.
@@ -30,7 +36,7 @@ HEADING_RESOLUTION = 1.0 / 64.0
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; under the action with index a it is a + 1 before."""
 
-DOT_RADIUS = 0.07
+DOT_RADIUS = 0.05
 """Radius of the dot that stands for the robot in every future but the first, m."""
 
 PERSON_DOT_RADIUS = 0.045
@@ -113,7 +119,8 @@ def log_labels(
     places = label_places(labels, some, rollouts.scene.wall_segments, bounds)
     for index, (words, place) in enumerate(zip(labels, places, strict=True)):
         end = rollouts.robot[index, :, -1, :2].mean(axis=0)
-        drawing.line([end, place], theme.action_colour(rollouts.actions[index].name), 1.5)
+        line = leader(end, place, half_size(words, bounds))
+        drawing.line(line, theme.action_colour(rollouts.actions[index].name), 1.5)
         drawing.text(place.tolist(), words)
     drawing.log(stream, entities.LABELS)
 
@@ -137,11 +144,14 @@ def log_robots(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme
     heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).swapaxes(0, 1)  # (T+1, K)
     times, count = heading.shape
     in_full = np.arange(count) == 0  # one future with bodies, the others as dots
+    order = 30.0 + index  # a robot hides the arrowheads of those that it lies on
     stream.log(
         path,
-        rr.Points2D.from_fields(radii=np.where(in_full, ROBOT_RADIUS, DOT_RADIUS)),
+        rr.Points2D.from_fields(
+            radii=np.where(in_full, ROBOT_RADIUS, DOT_RADIUS), draw_order=order
+        ),
         rr.LineStrips2D.from_fields(
-            colors=theme.panel, radii=ARROWHEAD_THICKNESS / 2.0, draw_order=35.0
+            colors=theme.panel, radii=ARROWHEAD_THICKNESS / 2.0, draw_order=order + 0.5
         ),
         static=True,
     )
@@ -201,7 +211,7 @@ def log_pedestrians(
 def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
     """Draw the paths of the K robots, with a red cross where one first touched something.
 
-    The path of the robot that is drawn in full is bold.
+    The path of the robot that is drawn in full lies over the others once more, bold.
     """
     robot = rounded(rollouts.robot[index, ..., :2])
     last = robot.shape[1] - 1
@@ -214,9 +224,9 @@ def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme:
     stream.log(
         entities.paths(rollouts.actions[index].name),
         rr.LineStrips2D(
-            [*robot[:, corners], *marks],
-            colors=[colour] + [faint] * (len(robot) - 1) + [theme.contact] * len(marks),
-            radii=rr.Radius.ui_points([1.5] + [0.7] * (len(robot) + len(marks) - 1)),
+            [*robot[:, corners], robot[0, corners], *marks],
+            colors=[faint] * len(robot) + [colour] + [theme.contact] * len(marks),
+            radii=rr.Radius.ui_points([0.7] * len(robot) + [1.5] + [0.7] * len(marks)),
         ),
         static=True,
     )
