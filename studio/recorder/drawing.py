@@ -96,13 +96,16 @@ class Drawing:
 
         What is not static is there from the stream's time on, until it is drawn anew.
         """
-        # labels belong to the first lines; where there are fewer of them, the rest have none
+        # labels belong to the first lines; where there are fewer of them, the rest have none, but
+        # a single one would be put in the middle of all lines
+        labels = [words for words, _ in self.texts]
+        labels += [""] if len(labels) == 1 else []
         anchors = [np.stack([place, place]) for _, place in self.texts]
         lines = rr.LineStrips2D(
             [*anchors, *self.lines],
             colors=[LIGHT.ink] * len(anchors) + self.colours,
             radii=[0.0] * len(anchors) + self.radii,
-            labels=[words for words, _ in self.texts] or None,
+            labels=labels or None,
             show_labels=True if self.texts else None,
             draw_order=draw_order,
         )

@@ -33,8 +33,9 @@ PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
 STROKE = 0.02
 """How far apart the strokes that fill a bar are at most, in units of the page."""
 
-COLUMN_WIDTH, ROW_HEIGHT = 1.4, 0.45
-"""Of the table that compares actions, in units of the page."""
+COLUMN_WIDTH, TALLEST_ROW, TALLEST_TABLE = 1.4, 0.45, 3.6
+"""Of the table that compares actions: where there are many, rows get lower and not the table
+taller, so that words keep their room; in units of the page."""
 
 LETTER_WIDTH = 0.12
 """Of the names of actions beside that table where it is small, in units of the page."""
@@ -171,9 +172,10 @@ def log_comparison(
     """
     drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
     colours = [theme.action_colour(action.name) for action in rollouts.actions]
-    rows = -ROW_HEIGHT * (np.arange(len(colours), dtype=np.float64) + 0.5)
+    row_height = comparison_row_height(len(colours))
+    rows = -row_height * (np.arange(len(colours), dtype=np.float64) + 0.5)
     # the dots of a row are spread upwards evenly, so that they do not hide one another
-    heights = rows[:, None] + 0.6 * ROW_HEIGHT * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
+    heights = rows[:, None] + 0.6 * row_height * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
     for row, action in zip(rows, rollouts.actions, strict=True):
         drawing.text((-name_room(rollouts) / 2.0, row), short(action.name))
@@ -214,10 +216,10 @@ def draw_column(
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
     stretch = width / (high - low or 1.0)
     zero = left - low * stretch
-    drawing.line([(zero, 0.0), (zero, rows[-1] - ROW_HEIGHT / 2)], LIGHT.faint, 1.0)
+    drawing.line([(zero, 0.0), (zero, rows[-1] + rows[0])], LIGHT.faint, 1.0)
     drawing.text((left + width / 2, 0.26), title)
-    reach = f"{number(low, '.2g')} to {number(high, '.2g')}"
-    drawing.text((left + width / 2, rows[-1] - 0.8 * ROW_HEIGHT), reach)
+    reach = f"{number(low, '.2g')} … {number(high, '.2g')}"
+    drawing.text((left + width / 2, rows[-1] + rows[0] - 0.15), reach)
     return zero + stretch * values
 
 
@@ -258,8 +260,14 @@ def distributions_bounds(rollouts: Rollouts) -> Bounds:
 def comparison_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
     """What a view of the comparison must show."""
     columns = len(FEATURES) + teachers
-    bottom = -ROW_HEIGHT * (len(rollouts.actions) + 1)
+    actions = len(rollouts.actions)
+    bottom = -comparison_row_height(actions) * actions - 0.4
     return -name_room(rollouts), bottom, columns * COLUMN_WIDTH, 0.48
+
+
+def comparison_row_height(actions: int) -> float:
+    """Height of a row of the comparison, in units of the page."""
+    return min(TALLEST_ROW, TALLEST_TABLE / actions)
 
 
 def name_room(rollouts: Rollouts) -> float:

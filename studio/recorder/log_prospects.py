@@ -17,10 +17,10 @@ from studio.recorder.log_world import rounded
 PANEL_PITCH = 1.3
 """From the left of a panel of width 1 to that of the next, in units of the page."""
 
-WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.05, 1.4
+WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.15, 1.4
 """Of the lower part of a panel, and of the upper one, in units of the page."""
 
-TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.18
+TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.2
 """Where the titles of the panels are, in units of the page."""
 
 MARK_LEFT, MARK_WIDTH = 1.04, 0.05
@@ -106,7 +106,7 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
     for tick in scale.ticks:
         y = bottom + height * float(scale(tick))
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
-            drawing.text((-0.2, y), number(tick))
+            drawing.text((-0.28, y), number(tick))
         for left in PANEL_PITCH * np.arange(actions):
             colour = LIGHT.faint if tick == 0.0 else LIGHT.grid
             drawing.line([(left, y), (left + 1.0, y)], colour, 1.0)
@@ -122,16 +122,16 @@ def stairs(left: float, heights: FloatArray) -> FloatArray:
 def draw_key(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
     """Say whose lines and marks have which colour."""
     for row, judgement in enumerate(judgements):
-        y = WEIGHT_HEIGHT - 0.27 * row
-        drawing.line([(left, y), (left + 0.2, y)], teacher_colour(judgement.teacher), 4.0)
-        drawing.text((left + 0.5, y), teacher_name(judgement.teacher))
+        y = WEIGHT_HEIGHT - 0.32 * row
+        drawing.line([(left, y), (left + 0.15, y)], teacher_colour(judgement.teacher), 4.0)
+        drawing.text((left + 0.52, y), teacher_name(judgement.teacher))
 
 
 def second_level(names: tuple[str, ...]) -> float:
     """How much higher every other title is, in units of the page."""
-    return 0.25 if max(len(short(name)) for name in names) > LONGEST_TITLE else 0.0
+    return 0.3 if max(len(short(name)) for name in names) > LONGEST_TITLE else 0.0
 
 
 def prospects_bounds(names: tuple[str, ...]) -> Bounds:
     """What a view of the figure of prospects of these actions must show."""
-    return -0.4, -0.15, len(names) * PANEL_PITCH + 0.75, TITLE_BOTTOM + second_level(names) + 0.15
+    return -0.56, -0.15, len(names) * PANEL_PITCH + 0.95, TITLE_BOTTOM + second_level(names) + 0.15

@@ -13,10 +13,14 @@ from studio.palette import Theme
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
 
-COLUMN_PITCH, ROW_PITCH = 2.0, 0.34
-"""Between the columns and between the rows of the figure, in units of the page."""
+COLUMN_PITCH, TALLEST_ROW, TALLEST_FIGURE = 2.0, 0.34, 2.4
+"""Between the columns and the rows of the figure, in units of the page: where there are many
+actions, rows get lower and not the figure taller, so that words keep their room."""
 
-VALUE_LEFT, LINE_LEFT, LINE_RIGHT = 0.33, 0.62, 0.08
+HEADER = 0.36
+"""How high above the first row the names of the teachers stand, in units of the page."""
+
+VALUE_LEFT, LINE_LEFT, LINE_RIGHT = 0.36, 0.68, 0.08
 """How far right of a dot its value and the line to the next dot begin, and how far left of that
 the line ends, in units of the page."""
 
@@ -39,24 +43,23 @@ def log_ranks(
     """
     drawing = Drawing(lift=0.07)
     places = [ranks(judgement.values) for judgement in judgements]
+    levels = [-row_pitch(len(names)) * rank for rank in places]
     for column, judgement in enumerate(judgements):
         x = column * COLUMN_PITCH
-        drawing.text((x, 1.1 * ROW_PITCH), teacher_name(judgement.teacher))
-        for name, rank, value in zip(names, places[column], judgement.values, strict=True):
-            y = -rank * ROW_PITCH
+        drawing.text((x, HEADER), teacher_name(judgement.teacher))
+        for name, y, value in zip(names, levels[column], judgement.values, strict=True):
             drawing.dot((x, y), theme.action_colour(name), 13.0)
             drawing.text((x + VALUE_LEFT, y), number(value, ".3f"))
-    for column, (here, there) in enumerate(pairwise(places)):
-        for name, rank, next_rank in zip(names, here, there, strict=True):
-            line = bend(column, float(rank), float(next_rank))
-            width = 2.0 if rank == next_rank else 5.0
-            drawing.line(line, theme.action_colour(name), width)
+    for column, (here, there) in enumerate(pairwise(levels)):
+        for name, y, next_y in zip(names, here, there, strict=True):
+            width = 2.0 if y == next_y else 5.0
+            drawing.line(bend(column, y, next_y), theme.action_colour(name), width)
     for index, name in enumerate(map(short, names)):
         aside = 0.25 + LETTER_WIDTH * len(name) / 2
-        drawing.text((-aside, -places[0][index] * ROW_PITCH), name)
+        drawing.text((-aside, levels[0][index]), name)
         if len(judgements) > 1:
             right = (len(judgements) - 1) * COLUMN_PITCH + VALUE_LEFT + 0.15
-            drawing.text((right + aside, -places[-1][index] * ROW_PITCH), name)
+            drawing.text((right + aside, levels[-1][index]), name)
     drawing.log(stream, entities.RANKS)
 
 
@@ -81,19 +84,23 @@ def discordant_pairs(one: FloatArray, other: FloatArray) -> list[tuple[int, int]
     ]
 
 
-def bend(column: int, rank: float, next_rank: float) -> FloatArray:
+def row_pitch(actions: int) -> float:
+    """Between one rank and the next, in units of the page."""
+    return min(TALLEST_ROW, TALLEST_FIGURE / actions)
+
+
+def bend(column: int, level: float, next_level: float) -> FloatArray:
     """The line from a dot's value in one column to the dot in the next, level at its ends."""
     along = np.linspace(0.0, 1.0, 13)
     start = column * COLUMN_PITCH + LINE_LEFT
     x = start + (COLUMN_PITCH - LINE_LEFT - LINE_RIGHT) * along
     turn = along**2 * (3.0 - 2.0 * along)
-    y = -ROW_PITCH * (rank + (next_rank - rank) * turn)
-    return np.stack([x, y], axis=-1)
+    return np.stack([x, level + (next_level - level) * turn], axis=-1)
 
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the ranks must show."""
     aside = 0.4 + LETTER_WIDTH * max(len(short(name)) for name in names)
-    rows = max(len(names), LEAST_ROWS)
+    bottom = -row_pitch(len(names)) * max(len(names), LEAST_ROWS)
     right = (teachers - 1) * COLUMN_PITCH + VALUE_LEFT + 0.2 + aside
-    return -aside, -ROW_PITCH * (rows - 0.3), right, 1.8 * ROW_PITCH
+    return -aside, bottom + 0.1, right, HEADER + 0.24
