@@ -12,7 +12,7 @@ from studio.judgements import FloatArray, Judgement
 from studio.naming import number, short, teacher_name
 from studio.palette import LIGHT, Colour, Theme, blend
 from studio.recorder import entities
-from studio.recorder.drawing import OVERLAP, Drawing
+from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
 from studio.recorder.log_world import rounded, time_columns
 
 BINS: dict[str, tuple[float, float, float]] = {
@@ -81,7 +81,8 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
     if rollouts.scene.pedestrians:
         gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
     for index, action in enumerate(rollouts.actions):
-        drawing, colour = Drawing(lift=0.06), theme.action_colour(action.name)
+        drawing = Drawing(lift=0.06, resolution=PAGE_RESOLUTION)
+        colour = theme.action_colour(action.name)
         for column, feature in enumerate(FEATURES):
             left = column * (PANEL_WIDTH + PANEL_GAP)
             counts, _ = np.histogram(rollouts.features[index, :, column], edges[column])

@@ -10,7 +10,7 @@ from studio.judgements import FloatArray, Judgement, utilities
 from studio.naming import number, short, teacher_name
 from studio.palette import LIGHT, Theme, teacher_colour
 from studio.recorder import entities
-from studio.recorder.drawing import Drawing
+from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
 from studio.recorder.learning_axes import Scale, linear, round_ticks
 from studio.recorder.log_world import rounded
 
@@ -28,9 +28,6 @@ MARK_LEFT, MARK_WIDTH = 1.04, 0.05
 
 LONGEST_TITLE = 14
 """If a title has more characters, titles are written on two levels, so that they do not touch."""
-
-PAGE_RESOLUTION = 1.0 / 512.0
-"""Places on the page are rounded to this, so that they take less; see `log_world.RESOLUTION`."""
 
 
 def log_prospects(
@@ -52,7 +49,7 @@ def log_prospects(
     everything = np.concatenate([ranked.ravel(), *worths])
     utility_scale = linear(round_ticks(float(everything.min()), float(everything.max())))
     weight_scale = linear(round_ticks(0.0, float(max(1.0, np.max(weights)))))
-    drawing = Drawing(lift=0.09)
+    drawing = Drawing(lift=0.09, resolution=PAGE_RESOLUTION)
     draw_levels(drawing, actions, utility_scale, UTILITY_BOTTOM, UTILITY_HEIGHT)
     draw_levels(drawing, actions, weight_scale, 0.0, WEIGHT_HEIGHT)
     names = tuple(action.name for action in rollouts.actions)
@@ -115,8 +112,7 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
 def stairs(left: float, heights: FloatArray) -> FloatArray:
     """A line of one level step for each of K heights, side by side in a panel, [2K, 2]."""
     edges = left + np.linspace(0.0, 1.0, len(heights) + 1)
-    line = np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
-    return rounded(line, PAGE_RESOLUTION)
+    return np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
 
 
 def draw_key(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
