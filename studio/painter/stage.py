@@ -7,6 +7,7 @@ import numpy as np
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 from studio.framing import bounds_of_shape
+from studio.groups import shortest_links
 from studio.painter.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label
 from studio.palette import Colour, blend
@@ -50,21 +51,8 @@ def draw_groups(canvas: Canvas, view: View, scene: Scene, people: FloatArray) ->
     colour = blend(canvas.theme.pedestrian, canvas.theme.panel, 0.5)
     for group in scene.groups:
         members = view.to_pixels(people[list(group)])
-        for link in _shortest_links(members):
-            canvas.line(members[list(link)], colour, 0.7 * PEDESTRIAN_RADIUS * view.scale)
-
-
-def _shortest_links(points: FloatArray) -> list[tuple[int, int]]:
-    """Pairs that join all points [N, 2] with the least length (Prim's algorithm)."""
-    distance = np.linalg.norm(points[:, None] - points, axis=-1)
-    joined, links = [0], []
-    while len(joined) < len(points):
-        others = [index for index in range(len(points)) if index not in joined]
-        part = distance[np.ix_(joined, others)]
-        row, column = np.unravel_index(part.argmin(), part.shape)
-        links.append((joined[row], others[column]))
-        joined.append(others[column])
-    return links
+        for link in shortest_links(members):
+            canvas.line(members[link], colour, 0.7 * PEDESTRIAN_RADIUS * view.scale)
 
 
 def draw_people(canvas: Canvas, view: View, people: FloatArray) -> None:

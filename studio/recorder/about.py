@@ -1,7 +1,9 @@
 """The pages of a recording, in Markdown: what one sees, and how to make it again."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict
+from itertools import combinations
 
 import numpy as np
 
@@ -10,6 +12,7 @@ from scenes import FEATURES, Noise, Rollouts, scene_to_toml
 from studio.judgements import Judgement
 from studio.naming import counted, number, teacher_name
 from studio.recorder import entities
+from studio.recorder.log_ranks import discordant_pairs
 
 
 def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
@@ -24,15 +27,42 @@ def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             f"# {scene.name}",
             "",
             f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
-            f"{counted(count, 'time')}: balls are the robot and the people in the first of these "
-            "futures, in true size, dots are where they are in the others. People are grey. A "
-            "robot turns red once it has touched somebody or a wall; a red cross marks where.",
+            f"{counted(count, 'time')}: balls are the robot (with an arrowhead) and the people "
+            "(grey) in the first of these futures, in true size, dots are where they are in the "
+            "others. A robot is red once it has touched somebody or a wall; a cross marks where.",
             "",
             *_outcome_table(rollouts, judgements),
             "",
-            f"{'; '.join(picks)}.",
+            f"{'; '.join(picks)}.{_disagreement(rollouts, judgements)}",
+            "",
+            "Gap to the nearest person: median over futures of the smallest; progress towards the "
+            "goal: mean. Under the teachers' names: the value V of the action.",
         ]
     )
+
+
+def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
+    """Which pairs of actions two teachers order differently, and what that costs."""
+    pairs_in_all = math.comb(len(rollouts.actions), 2)
+    if len(judgements) < 2 or not pairs_in_all:
+        return "It takes two teachers and two actions to disagree."
+    lines = [
+        f"How many pairs of actions, of {pairs_in_all}, two teachers order differently, and how "
+        "much value the second one loses by doing what the first one picks.",
+        "",
+        "| teachers | pairs | loss |",
+        "|:--|--:|--:|",
+    ]
+    details = []
+    for one, other in combinations(judgements, 2):
+        pairs = discordant_pairs(one.values, other.values)
+        loss = number(other.values[other.best] - other.values[one.best], ".3f")
+        first, second = teacher_name(one.teacher), teacher_name(other.teacher)
+        lines.append(f"| {first}, {second} | {len(pairs)} | {loss} |")
+        if pairs:
+            details += ["", f"| {first} prefers | {second} prefers |", "|:--|:--|"]
+            details += [f"| {_link(rollouts, a)} | {_link(rollouts, b)} |" for a, b in pairs]
+    return "\n".join(lines + details)
 
 
 def about_page(
@@ -84,18 +114,27 @@ def about_page(
             "",
             f"* [The world](recording://{entities.WORLD}) from above, on a grid of metres; the "
             "robot starts at the ring with the nose and is headed for the target.",
-            "* A coloured ball is the robot in the first future, a grey ball a person in that "
-            "future, both in true size. Dots are the robot and the people in the other futures.",
+            "* A coloured ball is the robot in the first future, and its arrowhead shows where it "
+            "faces; a grey ball is a person in that future, and bars join people who walk in a "
+            "group. Both are in true size. Dots are the robot and the people in the other futures.",
             "* A robot turns red at the step at which it first touches a person or a wall; a red "
-            "cross marks where. Faint lines are the paths that robots take.",
+            "cross marks where. Faint lines are the paths that robots take, a bold one is that of "
+            "the first future.",
             "* Histograms count the outcomes by feature, in bins that all actions share; the "
             "number at the upper left is the height of the tallest bar.",
             "* The gap over time is that between the robot and the nearest person: the median, "
             "and a band from the 10 % to the 90 % quantile.",
+            f"* Prospects: [all outcomes](recording://{entities.COMPARISON}), every feature on one "
+            f"scale; and [what they are worth](recording://{entities.PROSPECTS}): their utilities "
+            "from the worst to the best, the decision weight of each in multiples of its "
+            "probability, and, as marks, the certainty equivalents: the sure utilities that the "
+            "teachers value as much as the action.",
             f"* Minds: how much a probability [of a gain](recording://{entities.GAIN_WEIGHTS}) and "
-            f"[of a loss](recording://{entities.LOSS_WEIGHTS}) counts, how good a gain "
-            f"[feels](recording://{entities.VALUES}) and how bad a loss, and what that "
-            f"[makes of the actions](recording://{entities.COMPARISON}).",
+            f"[of a loss](recording://{entities.LOSS_WEIGHTS}) counts, what that [makes of fifty "
+            f"equally likely outcomes](recording://{entities.DECISION_WEIGHTS}), the worse half "
+            f"losses and the better half gains, how good a gain [feels](recording://"
+            f"{entities.VALUES}) and how bad a loss, and how the teachers therefore [rank the "
+            f"actions](recording://{entities.RANKS}).",
             "",
             "Press space to stop and go on; double-click a view to set it back.",
             "",
@@ -154,9 +193,9 @@ def _outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> lis
     contacts = (rollouts.contact_step >= 0).sum(axis=1)
     gap = np.median(rollouts.clearance_m, axis=1)
     progress = rollouts.progress_m.mean(axis=1)
-    values = " | ".join(f"V {teacher_name(judgement.teacher)}" for judgement in judgements)
+    values = " | ".join(teacher_name(judgement.teacher) for judgement in judgements)
     lines = [
-        f"| action | contact | median gap, m | mean progress, m | {values} |",
+        f"| action | contact | gap, m | progress, m | {values} |",
         "|:--|--:|--:|--:|" + "--:|" * len(judgements),
     ]
     for index in range(len(rollouts.actions)):
@@ -165,10 +204,26 @@ def _outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> lis
             worth = number(judgement.values[index], ".3f")
             worths.append(f"**{worth}** ★" if index == judgement.best else worth)
         lines.append(
-            f"| {_link(rollouts, index)} | {contacts[index]} of {count} | {gap[index]:.2f} | "
+            f"| {_link(rollouts, index)} | {contacts[index]} / {count} | {gap[index]:.2f} | "
             f"{progress[index]:.2f} | {' | '.join(worths)} |"
         )
     return lines
+
+
+def _disagreement(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
+    """How many pairs of actions the two teachers who agree least order differently, in words."""
+    counts = [
+        (len(discordant_pairs(one.values, other.values)), one, other)
+        for one, other in combinations(judgements, 2)
+    ]
+    most, one, other = max(counts, key=lambda given: given[0], default=(0, None, None))
+    if one is None or other is None or not most:
+        return ""
+    return (
+        f" {teacher_name(one.teacher)} and {teacher_name(other.teacher)} "
+        f"[order](recording://{entities.RANKS}) {most} of "
+        f"{math.comb(len(rollouts.actions), 2)} pairs of actions differently."
+    )
 
 
 def _link(rollouts: Rollouts, index: int) -> str:

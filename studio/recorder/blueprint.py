@@ -11,15 +11,19 @@ from studio.framing import Bounds
 from studio.naming import counted, short
 from studio.palette import LIGHT
 from studio.recorder import entities
+from studio.recorder.log_minds import curves_bounds
 from studio.recorder.log_outcomes import comparison_bounds, distributions_bounds
+from studio.recorder.log_prospects import prospects_bounds
+from studio.recorder.log_ranks import ranks_bounds
 
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
-    """The tabs of a recording: overview, one an action, minds, about."""
+    """The tabs of a recording: overview, one an action, prospects, minds, about."""
     return rrb.Blueprint(
         rrb.Tabs(
             overview_tab(rollouts, teachers, bounds),
             *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
+            prospects_tab(rollouts, teachers),
             minds_tab(rollouts, teachers),
             page_view(entities.ABOUT, "About"),
             active_tab=0,
@@ -36,9 +40,7 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
 def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
     """All actions in one world, what came of them, and what the teachers make of it."""
     names = [action.name for action in rollouts.actions]
-    contents = [entities.LABELS]
-    for name in names:
-        contents += [entities.robots(name), entities.pedestrians(name), entities.paths(name)]
+    contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
     count = rollouts.robot.shape[1]
     title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
     return rrb.Horizontal(
@@ -50,7 +52,7 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
         rrb.Vertical(
             page_view(entities.SUMMARY, "Summary"),
             *([clearance_view()] if rollouts.scene.pedestrians else []),
-            row_shares=[3, 2] if rollouts.scene.pedestrians else [1],
+            row_shares=[2, 1] if rollouts.scene.pedestrians else [1],
         ),
         column_shares=[5, 3],
         name="Overview",
@@ -75,16 +77,47 @@ def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
     )
 
 
-def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
-    """How the teachers weigh probabilities, value gains and losses, and choose."""
-    page = (-0.15, -0.12, 1.05, 1.06)
+def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+    """The outcomes of all actions side by side, and how much each counts to the teachers."""
     return rrb.Vertical(
-        rrb.Horizontal(
-            figure_view(entities.GAIN_WEIGHTS, page, "w(p) of gains: how much p counts"),
-            figure_view(entities.LOSS_WEIGHTS, page, "w(p) of losses: how much p counts"),
-            figure_view(entities.VALUES, page, "v(x): how good the utility x feels"),
-        ),
         comparison_view(rollouts, teachers),
+        figure_view(
+            entities.PROSPECTS,
+            prospects_bounds(tuple(action.name for action in rollouts.actions)),
+            "Outcomes from the worst to the best. Dots: utility; marks beside them: the sure "
+            "utility worth as much. Below: decision weight ÷ probability",
+        ),
+        row_shares=[4, 5],
+        name="Prospects",
+    )
+
+
+def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+    """How the teachers weigh probabilities, value gains and losses, and rank the actions."""
+    names = tuple(action.name for action in rollouts.actions)
+    return rrb.Vertical(
+        drawn_view(
+            [
+                entities.GAIN_WEIGHTS,
+                entities.LOSS_WEIGHTS,
+                entities.DECISION_WEIGHTS,
+                entities.VALUES,
+            ],
+            curves_bounds(),
+            "How much probabilities p count, and 50 outcomes from the worst loss to the best gain; "
+            "how good the utility x feels",
+        ),
+        rrb.Horizontal(
+            figure_view(
+                entities.RANKS,
+                ranks_bounds(names, teachers),
+                "Actions by their value V, the best on top (bold: the next teacher ranks it "
+                "differently)",
+            ),
+            page_view(entities.DISAGREEMENTS, "Where they disagree"),
+            column_shares=[5, 2],
+        ),
+        row_shares=[4, 5],
         name="Minds",
     )
 

@@ -23,6 +23,9 @@ OVERLAP = 1.6
 DOT_LENGTH = 1e-3
 """A line of no length is not drawn, so dots are lines of this length, in the figure's units."""
 
+PAGE_RESOLUTION = 1.0 / 512.0
+"""Finer than can be seen on a page about as large as 1, and packs into less: see `log_world`."""
+
 DASH, DASH_GAP = 0.03, 0.02
 """Lengths of a dash and of the gap after it, in units of the page."""
 
@@ -34,6 +37,7 @@ class Drawing:
     Attributes:
         lift: how much higher than their places texts are put, in the figure's units, because the
             viewer hangs a label below its line.
+        resolution: places are rounded to multiples of this, in the figure's units; 0 leaves them.
         lines: [N, 2] each, in the figure's units.
         colours: one a line.
         radii: one a line, in the figure's units; negative in pixels, as Rerun has it.
@@ -41,6 +45,7 @@ class Drawing:
     """
 
     lift: float = 0.0
+    resolution: float = 0.0
     lines: list[FloatArray] = field(default_factory=list)
     colours: list[Colour] = field(default_factory=list)
     radii: list[float] = field(default_factory=list)
@@ -96,20 +101,26 @@ class Drawing:
 
         What is not static is there from the stream's time on, until it is drawn anew.
         """
-        # labels belong to the first lines; where there are fewer of them, the rest have none
+        # labels belong to the first lines; where there are fewer of them, the rest have none, but
+        # a single one would be put in the middle of all lines
+        labels = [words for words, _ in self.texts]
+        labels += [""] if len(labels) == 1 else []
         anchors = [np.stack([place, place]) for _, place in self.texts]
         lines = rr.LineStrips2D(
             [*anchors, *self.lines],
             colors=[LIGHT.ink] * len(anchors) + self.colours,
             radii=[0.0] * len(anchors) + self.radii,
-            labels=[words for words, _ in self.texts] or None,
+            labels=labels or None,
             show_labels=True if self.texts else None,
             draw_order=draw_order,
         )
         stream.log(path, lines, static=static)
 
     def _add(self, points: ArrayLike, colour: Colour, radius: float) -> None:
-        self.lines.append(np.asarray(points, dtype=np.float64))
+        places = np.asarray(points, dtype=np.float64)
+        if self.resolution:
+            places = np.round(places / self.resolution) * self.resolution
+        self.lines.append(places)
         self.colours.append(colour)
         self.radii.append(radius)
 

@@ -6,26 +6,41 @@ from typing import Any
 import numpy as np
 import rerun as rr
 
-from learners import value, weight
+from learners import decision_weights, value, weight
+from studio.framing import Bounds
 from studio.judgements import FloatArray, Judgement
 from studio.naming import number, teacher_name
 from studio.palette import LIGHT, teacher_colour
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
+from studio.recorder.learning_axes import round_ticks
+
+PANEL_PITCH = 1.4
+"""From the left of a panel to that of the next; a panel is 1 wide and 1 high."""
+
+PANELS = 4
+"""How many panels there are side by side."""
+
+RANKS = 50
+"""The decision weights are drawn for so many equally likely outcomes."""
 
 LARGEST_UTILITY = 0.5
 """The value curves are drawn from minus to plus this, in units of utility."""
 
 
 @dataclass(frozen=True)
-class Axes:
-    """The axes of a figure that is drawn in its own units.
+class Panel:
+    """Where a figure that is drawn in its own units lies, and its axes.
 
     Attributes:
+        place: among the panels, counted from the left.
+        title: what the curves are.
         x: ticks across, from the lowest value to the highest.
         y: ticks upwards, from the lowest value to the highest.
     """
 
+    place: int
+    title: str
     x: tuple[float, ...]
     y: tuple[float, ...]
 
@@ -46,59 +61,97 @@ def log_judgements(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]
     stream.log(entities.JUDGEMENTS, rr.AnyValues(**values), static=True)
 
 
+def log_curves(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
+    """Draw how the teachers weigh and value: four panels of curves, a curve a teacher."""
+    log_weighting(stream, judgements)
+    log_decision_weights(stream, judgements)
+    log_values(stream, judgements)
+
+
 def log_weighting(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
     """Draw w(p) of gains and of losses: how much a probability counts."""
-    axes = Axes((0.0, 0.5, 1.0), (0.0, 0.5, 1.0))
     # denser towards 0 and 1, where the curves are steep
-    probability = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
-    gains = [weight(probability, each.parameters.gamma).numpy() for each in judgements]
-    losses = [weight(probability, each.parameters.delta).numpy() for each in judgements]
-    log_curves(stream, entities.GAIN_WEIGHTS, axes, judgements, probability, gains)
-    log_curves(stream, entities.LOSS_WEIGHTS, axes, judgements, probability, losses)
+    p = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
+    gains = [weight(p, each.parameters.gamma).numpy() for each in judgements]
+    losses = [weight(p, each.parameters.delta).numpy() for each in judgements]
+    ticks = (0.0, 0.5, 1.0)
+    of_gains = Panel(0, "w(p) of gains", ticks, ticks)
+    of_losses = Panel(1, "w(p) of losses", ticks, ticks)
+    log_panel(stream, entities.GAIN_WEIGHTS, of_gains, judgements, p, gains, has_key=True)
+    log_panel(stream, entities.LOSS_WEIGHTS, of_losses, judgements, p, losses)
+
+
+def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
+    """Draw how much each of fifty equally likely outcomes counts, from the worst to the best.
+
+    The worse half are losses, the better half are gains. A weight of 1 is that of the probability.
+    """
+    places = np.arange(0.5, RANKS)
+    utilities = places - RANKS / 2.0
+    curves = [RANKS * decision_weights(utilities, each.parameters).numpy() for each in judgements]
+    panel = Panel(
+        2,
+        "decision weight × 50",
+        (0.0, RANKS / 2.0, float(RANKS)),
+        round_ticks(0.0, float(np.max(curves))),
+    )
+    log_panel(stream, entities.DECISION_WEIGHTS, panel, judgements, places, curves)
 
 
 def log_values(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
     """Draw v(x): how good a gain feels and how bad a loss."""
     x = LARGEST_UTILITY * np.linspace(-1.0, 1.0, 101) ** 3  # denser at 0, where the kink is
     curves = [value(x, judgement.parameters).numpy() for judgement in judgements]
-    lowest, highest = np.min(curves), np.max(curves)
-    halves = np.arange(np.floor(2.0 * lowest), np.ceil(2.0 * highest) + 1) / 2.0
-    axes = Axes((-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), tuple(halves.tolist()))
-    log_curves(stream, entities.VALUES, axes, judgements, x, curves)
+    ticks = round_ticks(float(np.min(curves)), float(np.max(curves)))
+    panel = Panel(3, "v(x)", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks)
+    log_panel(stream, entities.VALUES, panel, judgements, x, curves)
 
 
-def log_curves(
+def log_panel(
     stream: rr.RecordingStream,
     figure: str,
-    axes: Axes,
+    panel: Panel,
     judgements: tuple[Judgement, ...],
     x: FloatArray,
     curves: list[FloatArray],
+    *,
+    has_key: bool = False,
 ) -> None:
-    """Draw one curve a teacher, with axes and a key in the upper left, where no curve runs.
+    """Draw one curve a teacher, and the axes; a key in the upper left, if that is free.
 
-    The figure is in its own units; a transform stretches it onto a page of width and height 1.
+    The figure is in its own units; a transform stretches it onto its place beside the others.
     """
-    across, up = 1.0 / axes.width, 1.0 / axes.height
+    across, up = 1.0 / panel.width, 1.0 / panel.height
+    left, right, bottom, top = panel.x[0], panel.x[-1], panel.y[0], panel.y[-1]
     stream.log(
         figure,
         rr.Transform3D(
-            translation=[-axes.x[0] * across, -axes.y[0] * up, 0.0], scale=[across, up, 1.0]
+            translation=[panel.place * PANEL_PITCH - left * across, -bottom * up, 0.0],
+            scale=[across, up, 1.0],
         ),
         static=True,
     )
-    left, bottom, top = axes.x[0], axes.y[0], axes.y[-1]
-    drawing = Drawing(lift=0.035 * axes.height)
-    for tick in axes.x:
+    drawing = Drawing(lift=0.045 * panel.height)
+    drawing.text((left + panel.width / 2, top + 0.1 * panel.height), panel.title)
+    for tick in panel.x:
         drawing.line([(tick, bottom), (tick, top)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
-        drawing.text((tick, bottom - 0.06 * axes.height), number(tick))
-    for tick in axes.y:
-        drawing.line([(left, tick), (axes.x[-1], tick)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
-        drawing.text((left - 0.07 * axes.width, tick), number(tick))
-    for row, (judgement, curve) in enumerate(zip(judgements, curves, strict=True)):
-        colour = teacher_colour(judgement.teacher)
-        drawing.line(np.stack([x, curve], axis=-1), colour, 4.0)
-        y = top - (0.08 + 0.09 * row) * axes.height
-        drawing.line([(left + 0.05 * axes.width, y), (left + 0.13 * axes.width, y)], colour, 4.0)
-        drawing.text((left + 0.22 * axes.width, y), teacher_name(judgement.teacher))
+        drawing.text((tick, bottom - 0.12 * panel.height), number(tick))
+    for tick in panel.y:
+        drawing.line([(left, tick), (right, tick)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
+        drawing.text((left - 0.1 * panel.width, tick), number(tick))
+    # the lowest curve last: it would vanish in the peaks of the others
+    for row in sorted(range(len(judgements)), key=lambda row: -curves[row].max()):
+        colour = teacher_colour(judgements[row].teacher)
+        drawing.line(np.stack([x, curves[row]], axis=-1), colour, 4.0)
+        if has_key:
+            y = top - (0.09 + 0.12 * row) * panel.height
+            drawing.line(
+                [(left + 0.04 * panel.width, y), (left + 0.13 * panel.width, y)], colour, 4.0
+            )
+            drawing.text((left + 0.29 * panel.width, y), teacher_name(judgements[row].teacher))
     drawing.log(stream, figure)
+
+
+def curves_bounds() -> Bounds:
+    """What a view of the four panels must show."""
+    return -0.2, -0.21, (PANELS - 1) * PANEL_PITCH + 1.08, 1.18

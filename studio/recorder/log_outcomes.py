@@ -12,7 +12,7 @@ from studio.judgements import FloatArray, Judgement
 from studio.naming import number, short, teacher_name
 from studio.palette import LIGHT, Colour, Theme, blend
 from studio.recorder import entities
-from studio.recorder.drawing import OVERLAP, Drawing
+from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
 from studio.recorder.log_world import rounded, time_columns
 
 BINS: dict[str, tuple[float, float, float]] = {
@@ -27,14 +27,18 @@ BINS: dict[str, tuple[float, float, float]] = {
 ROUNDING = 1e-9
 """A value that leaves the bins by this share of one does so by rounding only."""
 
-PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.3
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
 """Of the panels of a figure of distributions, in units of the page."""
 
 STROKE = 0.02
 """How far apart the strokes that fill a bar are at most, in units of the page."""
 
-COLUMN_WIDTH, ROW_HEIGHT = 1.2, 0.45
-"""Of the table that compares actions, in units of the page."""
+COLUMN_WIDTH, TALLEST_ROW, TALLEST_TABLE = 1.4, 0.45, 3.6
+"""Of the table that compares actions: where there are many, rows get lower and not the table
+taller, so that words keep their room; in units of the page."""
+
+LETTER_WIDTH = 0.12
+"""Of the names of actions beside that table where it is small, in units of the page."""
 
 GOLDEN_RATIO = 0.618034
 
@@ -76,7 +80,8 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
     if rollouts.scene.pedestrians:
         gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
     for index, action in enumerate(rollouts.actions):
-        drawing, colour = Drawing(lift=0.06), theme.action_colour(action.name)
+        drawing = Drawing(lift=0.06, resolution=PAGE_RESOLUTION)
+        colour = theme.action_colour(action.name)
         for column, feature in enumerate(FEATURES):
             left = column * (PANEL_WIDTH + PANEL_GAP)
             counts, _ = np.histogram(rollouts.features[index, :, column], edges[column])
@@ -110,9 +115,9 @@ def draw_histogram(
     low, high, margin = edges[0], edges[-1], 0.0
     if feature == "collisions":  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
-    drawing.text((left + margin, -0.12), tick(low))
-    drawing.text((left + PANEL_WIDTH - margin, -0.12), tick(high))
-    drawing.text((left - 0.08, PANEL_HEIGHT), str(peak))
+    drawing.text((left + margin, -0.15), tick(low))
+    drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
+    drawing.text((left - 0.13, PANEL_HEIGHT), str(peak))
 
 
 def draw_band(
@@ -142,10 +147,10 @@ def draw_band(
     draw_frame(drawing, left, "gap over time")
     drawing.line([(left, -low * scale), (left + PANEL_WIDTH, -low * scale)], LIGHT.faint, 1.0)
     drawing.line(np.stack([x, middle], axis=-1), colour, 3.0)
-    drawing.text((left, -0.12), "0 s")
-    drawing.text((left + PANEL_WIDTH, -0.12), f"{horizon:g} s")
-    drawing.text((left - 0.1, PANEL_HEIGHT), f"{high:.1f} m")
-    drawing.text((left - 0.1, -low * scale), "0 m")
+    drawing.text((left, -0.15), "0 s")
+    drawing.text((left + PANEL_WIDTH, -0.15), f"{horizon:g} s")
+    drawing.text((left - 0.19, PANEL_HEIGHT), f"{high:.1f} m")
+    drawing.text((left - 0.19, -low * scale), "0 m")
 
 
 def draw_frame(drawing: Drawing, left: float, title: str) -> None:
@@ -167,12 +172,13 @@ def log_comparison(
     """
     drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
     colours = [theme.action_colour(action.name) for action in rollouts.actions]
-    rows = -ROW_HEIGHT * (np.arange(len(colours), dtype=np.float64) + 0.5)
+    row_height = comparison_row_height(len(colours))
+    rows = -row_height * (np.arange(len(colours), dtype=np.float64) + 0.5)
     # the dots of a row are spread upwards evenly, so that they do not hide one another
-    heights = rows[:, None] + 0.6 * ROW_HEIGHT * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
+    heights = rows[:, None] + 0.6 * row_height * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
     for row, action in zip(rows, rollouts.actions, strict=True):
-        drawing.text((-0.6, row), short(action.name))
+        drawing.text((-name_room(rollouts) / 2.0, row), short(action.name))
     for column, feature in enumerate(FEATURES):
         places = draw_column(drawing, column, feature, rollouts.features[..., column], rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
@@ -210,10 +216,10 @@ def draw_column(
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
     stretch = width / (high - low or 1.0)
     zero = left - low * stretch
-    drawing.line([(zero, 0.0), (zero, rows[-1] - ROW_HEIGHT / 2)], LIGHT.faint, 1.0)
-    drawing.text((left + width / 2, 0.2), title)
-    reach = f"{number(low, '.2g')} to {number(high, '.2g')}"
-    drawing.text((left + width / 2, rows[-1] - 0.8 * ROW_HEIGHT), reach)
+    drawing.line([(zero, 0.0), (zero, rows[-1] + rows[0])], LIGHT.faint, 1.0)
+    drawing.text((left + width / 2, 0.26), title)
+    reach = f"{number(low, '.2g')} … {number(high, '.2g')}"
+    drawing.text((left + width / 2, rows[-1] + rows[0] - 0.15), reach)
     return zero + stretch * values
 
 
@@ -248,10 +254,22 @@ def distributions_bounds(rollouts: Rollouts) -> Bounds:
     """What a view of a figure of distributions must show."""
     panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
     width = panels * (PANEL_WIDTH + PANEL_GAP) - PANEL_GAP
-    return -0.25, -0.3, width + 0.15, PANEL_HEIGHT + 0.25
+    return -0.25, -0.32, width + 0.15, PANEL_HEIGHT + 0.25
 
 
 def comparison_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
     """What a view of the comparison must show."""
     columns = len(FEATURES) + teachers
-    return -1.1, -ROW_HEIGHT * (len(rollouts.actions) + 1), columns * COLUMN_WIDTH, 0.35
+    actions = len(rollouts.actions)
+    bottom = -comparison_row_height(actions) * actions - 0.4
+    return -name_room(rollouts), bottom, columns * COLUMN_WIDTH, 0.48
+
+
+def comparison_row_height(actions: int) -> float:
+    """Height of a row of the comparison, in units of the page."""
+    return min(TALLEST_ROW, TALLEST_TABLE / actions)
+
+
+def name_room(rollouts: Rollouts) -> float:
+    """How much room the names of the actions take beside the comparison."""
+    return 0.3 + LETTER_WIDTH * max(len(short(action.name)) for action in rollouts.actions)

@@ -1,5 +1,7 @@
 """The world in a recording: walls, robots and people, seen from above."""
 
+from typing import cast
+
 import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
@@ -7,11 +9,19 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.framing import Bounds
+from studio.groups import shortest_links
 from studio.judgements import FloatArray
 from studio.naming import short
 from studio.palette import Theme, blend
 from studio.recorder import entities
 from studio.recorder.drawing import Drawing
+from studio.recorder.label_places import (
+    LABEL_HEIGHT,
+    half_size,
+    label_places,
+    leader,
+    metres_per_pixel,
+)
 
 RESOLUTION = 1.0 / 128.0
 """Positions are rounded to this, about 8 mm: they are at most 4 mm off.
@@ -26,17 +36,29 @@ HEADING_RESOLUTION = 1.0 / 64.0
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; under the action with index a it is a + 1 before."""
 
-DOT_RADIUS = 0.07
+DOT_RADIUS = 0.05
 """Radius of the dot that stands for the robot in every future but the first, m."""
 
 PERSON_DOT_RADIUS = 0.045
 """Radius of the dot that stands for a person in every future but the first, m."""
+
+ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])
+"""The arrowhead on the robot that is drawn in full, when it faces along x, [3, 2], m."""
+
+ARROWHEAD_THICKNESS = 0.07
+"""Of the strokes of the arrowhead, m."""
+
+BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS
+"""Of the bars that join the people of a group, m."""
 
 WALL_THICKNESS = 0.12
 """Of the drawn walls, m; the simulated ones are lines."""
 
 PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
+
+MOST_PATHS_BESIDE_LABELS = 10
+"""Names of actions are placed beside so many of the paths of each action; others lie as these."""
 
 TimeColumns = tuple[rr.TimeColumn, ...]
 
@@ -71,7 +93,7 @@ def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, th
         static=True,
     )
     log_task(stream, rollouts, theme)
-    log_labels(stream, rollouts)
+    log_labels(stream, rollouts, bounds, theme)
 
 
 def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
@@ -87,34 +109,56 @@ def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> No
     drawing.log(stream, entities.TASK, draw_order=22.0)
 
 
-def log_labels(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
-    """Write each action's name where its paths end."""
-    drawing = Drawing()
-    for index, action in enumerate(rollouts.actions):
-        path = rollouts.robot[index, ..., :2].mean(axis=0)  # (T+1, 2)
-        ahead = path[-1] - path[0]
-        drawing.text(path[-1] + 0.4 * ahead / max(np.hypot(*ahead), 1e-6), short(action.name))
+def log_labels(
+    stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme
+) -> None:
+    """Write each action's name near where its paths end."""
+    labels = tuple(short(action.name) for action in rollouts.actions)
+    some = rollouts.robot[:, :MOST_PATHS_BESIDE_LABELS, ::PATH_STRIDE, :2]
+    drawing = Drawing(lift=metres_per_pixel(bounds) * LABEL_HEIGHT / 2.0)
+    places = label_places(labels, some, rollouts.scene.wall_segments, bounds)
+    for index, (words, place) in enumerate(zip(labels, places, strict=True)):
+        end = rollouts.robot[index, :, -1, :2].mean(axis=0)
+        line = leader(end, place, half_size(words, bounds))
+        drawing.line(line, theme.action_colour(rollouts.actions[index].name), 1.5)
+        drawing.text(place.tolist(), words)
     drawing.log(stream, entities.LABELS)
 
 
 def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
     """Show the K robots and their pedestrians under one action, over time."""
-    name = rollouts.actions[index].name
+    log_robots(stream, rollouts, index, theme)
+    if rollouts.scene.pedestrians:
+        log_pedestrians(stream, rollouts, index, theme)
+    log_paths(stream, rollouts, index, theme)
+
+
+def log_robots(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
+    """Show the K robots under one action: the first with a body that shows where it faces.
+
+    The arrowhead is a component of the robots, because an entity of its own would cost twice as
+    much.
+    """
+    path = entities.robots(rollouts.actions[index].name)
     robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, K, 2)
     heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).swapaxes(0, 1)  # (T+1, K)
-    people = rounded(rollouts.pedestrians[index]).swapaxes(0, 1)  # (T+1, K, P, 2)
-    times, count, person_count, _ = people.shape
-    when = time_columns(rollouts)
+    times, count = heading.shape
     in_full = np.arange(count) == 0  # one future with bodies, the others as dots
+    order = 30.0 + index  # a robot hides the arrowheads of those that it lies on
     stream.log(
-        entities.robots(name),
-        rr.Points2D.from_fields(radii=np.where(in_full, ROBOT_RADIUS, DOT_RADIUS)),
+        path,
+        rr.Points2D.from_fields(
+            radii=np.where(in_full, ROBOT_RADIUS, DOT_RADIUS), draw_order=order
+        ),
+        rr.LineStrips2D.from_fields(
+            colors=theme.panel, radii=ARROWHEAD_THICKNESS / 2.0, draw_order=order + 0.5
+        ),
         static=True,
     )
     touched = has_touched(rollouts.contact_step[index], times)
     stream.send_columns(
-        entities.robots(name),
-        when,
+        path,
+        time_columns(rollouts),
         [
             *rr.Points2D.columns(
                 positions=robot.reshape(-1, 2),
@@ -123,45 +167,66 @@ def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme
             *rr.AnyValues.columns(heading=heading.astype(np.float32).ravel()).partition(
                 [count] * times
             ),
+            *rr.LineStrips2D.columns(strips=strips(rounded(arrowheads(rollouts.robot[index, 0])))),
         ],
     )
-    if person_count:
-        in_full = np.repeat(in_full, person_count)
-        faint = blend(theme.pedestrian, theme.panel, 0.5)
-        stream.log(
-            entities.pedestrians(name),
-            rr.Points2D.from_fields(
-                radii=np.where(in_full, PEDESTRIAN_RADIUS, PERSON_DOT_RADIUS),
-                colors=np.where(in_full[:, None], theme.pedestrian, faint),
-                draw_order=10.0,  # below paths and contacts
-            ),
-            static=True,
+
+
+def log_pedestrians(
+    stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme
+) -> None:
+    """Show the K times P people under one action: those of the first rollout with bodies.
+
+    Bars join the people of a group there.
+    """
+    path = entities.pedestrians(rollouts.actions[index].name)
+    people = rounded(rollouts.pedestrians[index]).swapaxes(0, 1)  # (T+1, K, P, 2)
+    times, count, person_count, _ = people.shape
+    in_full = np.repeat(np.arange(count) == 0, person_count)
+    faint = blend(theme.pedestrian, theme.panel, 0.5)
+    look: list[rr.AsComponents] = [
+        rr.Points2D.from_fields(
+            radii=np.where(in_full, PEDESTRIAN_RADIUS, PERSON_DOT_RADIUS),
+            colors=np.where(in_full[:, None], theme.pedestrian, faint),
+            draw_order=10.0,  # below paths and contacts
         )
-        stream.send_columns(
-            entities.pedestrians(name),
-            when,
-            rr.Points2D.columns(positions=people.reshape(-1, 2)).partition(
-                [count * person_count] * times
-            ),
+    ]
+    moving = [
+        *rr.Points2D.columns(positions=people.reshape(-1, 2)).partition(
+            [count * person_count] * times
         )
-    log_paths(stream, rollouts, index, theme)
+    ]
+    if rollouts.scene.groups:
+        bars = group_bars(people[:, 0], rollouts.scene.groups)  # (T+1, bars, 2, 2)
+        look.append(
+            rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
+        )
+        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
+            [bars.shape[1]] * times
+        )
+    stream.log(path, *look, static=True)
+    stream.send_columns(path, time_columns(rollouts), moving)
 
 
 def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
-    """Draw the paths of the K robots, with a red cross where one first touched something."""
+    """Draw the paths of the K robots, with a red cross where one first touched something.
+
+    The path of the robot that is drawn in full lies over the others once more, bold.
+    """
     robot = rounded(rollouts.robot[index, ..., :2])
     last = robot.shape[1] - 1
     corners = np.unique([*range(0, last, PATH_STRIDE), last])
     contact_step = rollouts.contact_step[index]
     ever = np.flatnonzero(contact_step >= 0)
     marks = crosses(robot[ever, contact_step[ever]], 0.05)
-    faint = blend(theme.action_colour(rollouts.actions[index].name), theme.panel, 0.45)
+    colour = theme.action_colour(rollouts.actions[index].name)
+    faint = blend(colour, theme.panel, 0.45)
     stream.log(
         entities.paths(rollouts.actions[index].name),
         rr.LineStrips2D(
-            [*robot[:, corners], *marks],
-            colors=[faint] * len(robot) + [theme.contact] * len(marks),
-            radii=rr.Radius.ui_points(0.7),
+            [*robot[:, corners], robot[0, corners], *marks],
+            colors=[faint] * len(robot) + [colour] + [theme.contact] * len(marks),
+            radii=rr.Radius.ui_points([0.7] * len(robot) + [1.5] + [0.7] * len(marks)),
         ),
         static=True,
     )
@@ -186,6 +251,32 @@ def rounded(values: FloatArray, resolution: float = RESOLUTION) -> FloatArray:
     """The nearest multiples of the resolution."""
     near: FloatArray = np.round(values / resolution) * resolution
     return near
+
+
+def arrowheads(poses: FloatArray) -> FloatArray:
+    """Where the corners of the arrowhead are on a robot at poses [N, 3], [N, 3, 2], m."""
+    x, y, heading = poses.T[..., None]  # (N, 1) each
+    ahead, left = ARROWHEAD.T
+    corners: FloatArray = np.stack(
+        [
+            x + ahead * np.cos(heading) - left * np.sin(heading),
+            y + ahead * np.sin(heading) + left * np.cos(heading),
+        ],
+        axis=-1,
+    )
+    return corners
+
+
+def group_bars(people: FloatArray, groups: tuple[tuple[int, ...], ...]) -> FloatArray:
+    """Ends of the bars that join the people [N, P, 2] of each group, [N, bars, 2, 2], m."""
+    every = np.arange(len(people))[:, None, None]
+    bars = [people[:, group][every, shortest_links(people[:, group])] for group in groups]
+    return np.concatenate(bars, axis=1)
+
+
+def strips(corners: FloatArray) -> list[FloatArray]:
+    """Lines [N, M, 2] of M corners each as Rerun's types want them, which takes an array too."""
+    return cast("list[FloatArray]", corners)  # as an array they are not converted one by one
 
 
 def time_columns(rollouts: Rollouts) -> TimeColumns:

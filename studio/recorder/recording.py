@@ -18,16 +18,18 @@ from studio.framing import bounds_to_show
 from studio.judgements import Judgement
 from studio.palette import LIGHT, Theme
 from studio.recorder import entities
-from studio.recorder.about import about_page, summary_page
+from studio.recorder.about import about_page, disagreements_page, summary_page
 from studio.recorder.blueprint import recording_blueprint
 from studio.recorder.drawing import log_ground
-from studio.recorder.log_minds import log_judgements, log_values, log_weighting
+from studio.recorder.log_minds import log_curves, log_judgements
 from studio.recorder.log_outcomes import (
     log_clearance,
     log_comparison,
     log_distributions,
     log_outcomes,
 )
+from studio.recorder.log_prospects import log_prospects
+from studio.recorder.log_ranks import log_ranks
 from studio.recorder.log_world import log_action, log_scene, log_without_robot
 from studio.recorder.stream import recording_to
 
@@ -66,6 +68,7 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
         log_judgements(stream, judgements)
         log_figures(stream, rollouts, judgements, theme)
         log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
+        log_text(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
         log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
 
 
@@ -112,8 +115,9 @@ def log_figures(
     stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
     log_distributions(stream, rollouts, theme)
     log_comparison(stream, rollouts, judgements, theme)
-    log_weighting(stream, judgements)
-    log_values(stream, judgements)
+    log_prospects(stream, rollouts, judgements, theme)
+    log_curves(stream, judgements)
+    log_ranks(stream, tuple(action.name for action in rollouts.actions), judgements, theme)
 
 
 def log_text(stream: rr.RecordingStream, path: str, markdown: str) -> None:

@@ -15,6 +15,7 @@ import rerun as rr
 import rerun.blueprint as rrb
 from rerun.chunk import RrdReader
 
+from learners import value
 from scenes import (
     FEATURES,
     META_ACTIONS,
@@ -28,8 +29,9 @@ from scenes import (
     Wall,
     scene_from_toml,
 )
-from studio.judgements import Judgement, judge
+from studio.judgements import Judgement, judge, utilities
 from studio.palette import ACTION_COLOURS, LIGHT
+from studio.recorder.about import disagreements_page, summary_page
 from studio.recorder.log_outcomes import bin_edges
 from studio.recorder.recording import SCHEMA_VERSION, write_recording
 from studio.recorder.stream import recording_to
@@ -56,6 +58,7 @@ def make_rollouts(
             for row in range(people)
         ),
         walls=(Wall((x, y + 1.0), (x, y + 3.0)),),
+        groups=((0, 1),) if people > 1 else (),
     )
     times = np.arange(steps + 1) * 0.1
     speed = np.array([action.speed for action in actions])[:, None, None]
@@ -185,10 +188,93 @@ def test_a_robot_is_red_from_the_step_of_its_contact(recording: Path) -> None:
 
 def test_contacts_are_marked_where_they_happen(recording: Path, rollouts: Rollouts) -> None:
     strips = read(recording)["/world/actions/forward/paths"]["LineStrips2D:strips"][0]
-    first, second = strips[len(rollouts.robot[0]) :]
+    *_, first, second = strips
     place = rollouts.robot[0, 0, 2, :2]
     for stroke in (first, second):
         np.testing.assert_allclose(np.mean(stroke, axis=0), place, atol=HALF_A_STEP)
+
+
+def test_the_path_of_the_robot_drawn_in_full_lies_above_the_others(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    paths = read(recording)["/world/actions/forward/paths"]
+    strips, count = paths["LineStrips2D:strips"][0], len(rollouts.robot[0])
+    assert strips[count] == strips[0]
+    assert len(set(paths["LineStrips2D:colors"][0][: count + 1])) == 2
+
+
+def test_an_arrowhead_shows_where_the_robot_faces(recording: Path, rollouts: Rollouts) -> None:
+    robots = read(recording)["/world/actions/slow_down/robots"]
+    corners = np.array([row[0] for row in robots["LineStrips2D:strips"]])  # (T+1, 3, 2)
+    x, y, heading = rollouts.robot[1, 0].T
+    forwards = corners[:, 1] - corners[:, [0, 2]].mean(axis=1)
+    faced = np.arctan2(forwards[:, 1], forwards[:, 0])
+    np.testing.assert_allclose(faced, heading, atol=0.05)
+    away = np.hypot(corners[..., 0] - x[:, None], corners[..., 1] - y[:, None])
+    assert away.max() < 0.25  # it lies on the robot's disc
+
+
+def test_bars_join_the_people_of_a_group(recording: Path, rollouts: Rollouts) -> None:
+    people = read(recording)["/world/actions/forward/pedestrians"]
+    bars = np.array(people["LineStrips2D:strips"])  # (T+1, 1, 2, 2)
+    np.testing.assert_allclose(bars[:, 0], rollouts.pedestrians[0, 0], atol=HALF_A_STEP)
+
+
+def test_dots_show_the_utility_of_every_outcome(recording: Path, rollouts: Rollouts) -> None:
+    shape = rollouts.features.shape[:2]
+    dots = read(recording)["/figures/prospects/outcomes"]["Points2D:positions"][0]
+    x, y = np.array(dots).reshape(*shape, 2).transpose(2, 0, 1)
+    ranked = np.sort(utilities(rollouts), axis=-1)
+    assert (np.diff(x, axis=1) > 0.0).all()
+    slope, offset = np.polyfit(ranked.ravel(), y.ravel(), 1)  # all actions on one scale
+    assert slope > 0.0
+    np.testing.assert_allclose(y, offset + slope * ranked, atol=1.0 / 512.0)
+
+
+def test_the_drawn_weights_and_utilities_make_the_values(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    strips = read(recording)["/figures/prospects"]["LineStrips2D:strips"][0]
+    actions, count = rollouts.features.shape[:2]
+    stairs = np.array([strip for strip in strips if len(strip) == 2 * count])
+    levels = stairs[:, ::2, 1].reshape(actions, -1, count)  # a line a teacher, in some order
+    unit = next(line[0] for line in levels[0] if np.ptp(line) < 1e-6)  # EU counts all alike
+    ranked = np.sort(utilities(rollouts), axis=-1)
+    for judgement in judge(rollouts):
+        values = np.asarray(value(ranked, judgement.parameters))[:, None]
+        summed = (levels / unit * values).mean(axis=-1)  # (A, lines)
+        gap = np.abs(summed - judgement.values[:, None]).min(axis=1)
+        assert (gap < 0.01).all()
+
+
+def test_ranks_are_those_of_the_values(recording: Path, rollouts: Rollouts) -> None:
+    figure = read(recording)["/figures/ranks"]
+    words = figure["LineStrips2D:labels"][0]
+    places = [strip[0] for strip in figure["LineStrips2D:strips"][0]]  # labels come first
+    best_first = sorted(zip(words, places, strict=False), key=lambda label: -label[1][1])
+    names = [word for word, _ in best_first if word in {"forward", "slow_down"}]
+    by_eu, *_, by_strong = judge(rollouts)
+    expected = {rollouts.actions[by_eu.best].name, rollouts.actions[by_strong.best].name}
+    assert set(names[:2]) == expected  # on the left and on the right
+    for judgement in judge(rollouts):
+        for worth in judgement.values:
+            assert f"{worth:.3f}".replace("-", "−") in words
+
+
+def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts) -> None:
+    eu, tk, _ = judge(rollouts)
+    eu, tk = (
+        replace(eu, values=np.array([0.3, 0.1]), best=0),
+        replace(tk, values=np.array([0.1, 0.35]), best=1),
+    )
+    page = disagreements_page(rollouts, (eu, tk))
+    assert "| EU, T&K | 1 | 0.250 |" in page
+    assert "| EU prefers | T&K prefers |" in page
+    assert "EU and T&K [order](recording://figures/ranks) 1 of 1" in summary_page(
+        rollouts, (eu, tk)
+    )
+    assert "prefers" not in disagreements_page(rollouts, (eu, eu))
+    assert "two teachers" in disagreements_page(rollouts, (eu,))
 
 
 def test_outcomes_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
@@ -240,7 +326,7 @@ def test_the_page_tells_the_command_and_links_to_the_actions(recording: Path) ->
 
 def test_links_lead_to_what_is_there(recording: Path) -> None:
     entities = read(recording)
-    for page in ("/summary", "/about"):
+    for page in ("/summary", "/disagreements", "/about"):
         text = entities[page]["TextDocument:text"][0][0]
         for target in re.findall(r"recording://([^)>]+)", text):
             assert any(path.startswith(f"/{target}") for path in entities), target
@@ -277,7 +363,13 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
         for component in ("ContainerBlueprint:display_name", "ViewBlueprint:display_name"):
             if component in batch.schema.names:
                 names |= {name for row in batch.column(component).to_pylist() for name in row}
-    assert {"Overview", "Minds", "About", *(action.name for action in rollouts.actions)} <= names
+    assert {
+        "Overview",
+        "Prospects",
+        "Minds",
+        "About",
+        *(action.name for action in rollouts.actions),
+    } <= names
 
 
 @pytest.mark.parametrize(
@@ -290,12 +382,21 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
         make_rollouts(
             actions=tuple(
                 MetaAction(f"veer/left & a very long way: {number}!", 0.1 * number, 0.1)
-                for number in range(9)
+                for number in range(12)
             )
         ),
+        make_rollouts(actions=(MetaAction("θ → λ·½", 1.0, 0.0), MetaAction("γ", 0.0, 0.0))),
         replace(make_rollouts(), contact_step=np.full((2, 3), -1)),
     ],
-    ids=["nobody", "one of each", "a crowd", "far from zero", "many long names", "no contact"],
+    ids=[
+        "nobody",
+        "one of each",
+        "a crowd",
+        "far from zero",
+        "many long names",
+        "Greek names",
+        "no contact",
+    ],
 )
 def test_unusual_scenes_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
     path = tmp_path / "unusual.rrd"
