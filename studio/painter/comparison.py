@@ -12,7 +12,7 @@ import numpy as np
 
 from scenes import Rollouts
 from studio.comparison import QUESTION, Comparison
-from studio.framing import bounds_to_show
+from studio.framing import MARGIN, bounds_to_show
 from studio.naming import counted
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray, View
 from studio.painter.comparison_dots import DotPlot, DotScale, IconArray, draw_dot_axis
@@ -38,7 +38,7 @@ SIDES = ("A", "B")
 
 _MARGIN, _GAP = 36, 48  # of the page and between its sides, in units of the reference page
 _DOTS = 150  # height of the room for dots, in units of the reference page
-_PITCH = 22  # of icons, at most, in units of the reference page
+_PITCH, _DOT_PITCH = 22, 15  # of icons and dots, at most, in units of the reference page
 
 
 def draw_comparison_picture(
@@ -85,7 +85,7 @@ def compose_comparison_picture(
     page = lay_out(comparison, size, theme)
     show = Show(page)
     show.keep(comparison.rollouts.robot.shape[1])
-    show.write(legends(comparison.rollouts))
+    show.write(legends(page))
     show.draw_at_rest()
     return show.canvas
 
@@ -153,7 +153,7 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         panel = Box(column.left, top + head, column.right, scene_bottom)
-        view = View.around(bounds_to_show(rollouts), panel)
+        view = _view(rollouts, panel)
         _draw_stage(canvas, view, rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
         array = IconArray.fit(band, count, _PITCH * unit)
@@ -161,9 +161,8 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
         icons.append(array)
         left = array.box.right + 12 * unit
         counts.append(Box(left, icons_top, column.right, icons_bottom))
-    legend = Box(page.left, scene_bottom, page.right, scene_bottom + line)
-    start = draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
-    legend = Box(page.left, legend.top, start - kind.small, legend.bottom)
+    legend = Box(page.left, scene_bottom, columns[0].right, scene_bottom + line)
+    draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
     dots = tuple(Box(column.left, dots_top, column.right, dots_bottom) for column in columns)
     measures = _measures(canvas, dots, rollouts)
     for measure in measures:
@@ -204,6 +203,16 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
 
 
+def _view(rollouts: Rollouts, panel: Box) -> View:
+    """The view of a scene in a panel, with the goal in it if that costs little of the scale."""
+    x0, y0, x1, y1 = bounds_to_show(rollouts)
+    view = View.around((x0, y0, x1, y1), panel)
+    x, y = rollouts.scene.robot.goal
+    with_goal = (min(x0, x - MARGIN), min(y0, y - MARGIN), max(x1, x + MARGIN), max(y1, y + MARGIN))
+    wider = View.around(with_goal, panel)
+    return wider if wider.scale > 0.85 * view.scale else view
+
+
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     """Draw what does not move in a scene."""
     inside = canvas.clipped(view.box)
@@ -235,20 +244,29 @@ def _measures(canvas: Canvas, dots: tuple[Box, ...], rollouts: Rollouts) -> tupl
         given.append((names, gap, round_range(0.0, max(float(gap.max()), 0.1))))
     rooms = [box.columns([1.0] * len(given), _GAP * canvas.unit) for box in dots]
     return tuple(
-        Measure(names, DotScale.fit(values, ends, rooms[0][place]), tuple(r[place] for r in rooms))
+        Measure(
+            names,
+            DotScale.fit(values, ends, rooms[0][place], _DOT_PITCH * canvas.unit),
+            tuple(r[place] for r in rooms),
+        )
         for place, (names, values, ends) in enumerate(given)
     )
 
 
-def legends(rollouts: Rollouts) -> list[str]:
+def legends(page: Page) -> list[str]:
     """What the marks in the picture mean, the longest wording first."""
-    paths = "Thin: the robot's path in every outcome"
+    rollouts = page.comparison.rollouts
     people = ["grey: people and their paths"] if rollouts.scene.pedestrians else []
-    dots = "one dot: one outcome"
+    told_apart = all(measure.scale.has_dots for measure in page.measures)
+    dots = ["a dot: one outcome"] if told_apart else []
     contact = ["red: contact"] if (rollouts.contact_step >= 0).any() else []
     return [
         " · ".join(parts)
-        for parts in ([paths, *people, dots, *contact], [paths, dots, *contact], [dots, *contact])
+        for parts in (
+            ["Thin: the robot's paths", *people, *dots, *contact],
+            ["Thin: the robot's paths", *dots, *contact],
+            ["Thin: paths", *contact],
+        )
     ]
 
 

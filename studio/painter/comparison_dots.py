@@ -23,7 +23,7 @@ from studio.palette import Colour, blend
 BINS = 24
 """Of a dot plot."""
 
-_SMALLEST_PITCH = 2.5  # px; closer dots cannot be told apart, so bars stand for them
+_SMALLEST_PITCH = 2.0  # px; closer dots cannot be told apart, so bars stand for them
 _DOT = 0.42  # radius of a dot in pitches
 
 
@@ -96,13 +96,16 @@ class DotScale:
     pitch: float
 
     @classmethod
-    def fit(cls, values: FloatArray, ends: tuple[float, float], room: Box) -> "DotScale":
+    def fit(
+        cls, values: FloatArray, ends: tuple[float, float], room: Box, largest_pitch: float
+    ) -> "DotScale":
         """The scale with the largest dots at which the tallest stack stays in the room.
 
         Args:
             values: [A, K].
             ends: of the axis; values beyond count in the outermost bins.
             room: for the dots of one side, px.
+            largest_pitch: px.
         """
         low, high = ends
         shares = np.clip((values - low) / (high - low), 0.0, 1.0)
@@ -112,10 +115,16 @@ class DotScale:
         width = room.width / BINS
 
         def pitch(abreast: int) -> float:
-            return min(width / abreast, room.height / math.ceil(tallest / abreast))
+            stacked = math.ceil(tallest / abreast)
+            return min(width / abreast, room.height / stacked, largest_pitch)
 
         abreast = max(range(1, 101), key=pitch)
         return cls(low, high, bins, abreast, pitch(abreast))
+
+    @property
+    def has_dots(self) -> bool:
+        """Whether there is room for dots, or bars stand for them."""
+        return self.pitch >= _SMALLEST_PITCH
 
 
 class DotPlot:
@@ -155,7 +164,7 @@ class DotPlot:
         cell = canvas.clipped(Box(left, room.top, right, room.bottom))
         cell.fill(cell.box, canvas.theme.ground)
         middle, total = (left + right) / 2, touched + others
-        if pitch < _SMALLEST_PITCH:
+        if not self._scale.has_dots:
             half = abreast * pitch / 2
             for number, shade in ((total, colour), (touched, red)):
                 if number:

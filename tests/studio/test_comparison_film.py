@@ -176,7 +176,7 @@ def test_dots_of_every_outcome_find_room(count):
     room = Box(0.0, 0.0, 300.0, 120.0)
     rng = np.random.default_rng(0)
     for values in (rng.uniform(0.0, 1.0, (2, count)), np.zeros((2, count)), np.ones((2, count))):
-        scale = DotScale.fit(values, (0.0, 1.0), room)
+        scale = DotScale.fit(values, (0.0, 1.0), room, 15.0)
         assert scale.bins.min() >= 0
         assert scale.bins.max() <= 23
         for row in scale.bins:
