@@ -12,6 +12,24 @@ from studio.selection import only
 QUESTION = "Which would you rather the robot did?"
 """What a comparison asks."""
 
+SIDES = ("A", "B")
+"""What the left and the right are called."""
+
+OPENING = 0.6
+"""How long both scenes are shown at rest before anything moves, s."""
+
+PLAYING = 20.0
+"""How long all outcomes together take, unless they are very few or very many, s."""
+
+SHORTEST_OUTCOME, LONGEST_OUTCOME = 0.1, 2.0
+"""How long one outcome takes at least and at most, s."""
+
+MOVING = 0.8
+"""Share of an outcome's time in which it moves; after that its end stands still."""
+
+ENDING = 3.0
+"""How long the end is shown, s."""
+
 
 @dataclass(frozen=True)
 class Comparison:
@@ -66,3 +84,14 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
     entropy = [seed, len(names[0].encode()), *"".join(names).encode()]
     generator = np.random.Generator(np.random.Philox(np.random.SeedSequence(entropy)))
     return [names[index] for index in generator.permutation(2)]
+
+
+def seconds_each(count: int) -> float:
+    """How long each of so many outcomes takes to play, s.
+
+    Fifty take 0.4 s each, a pace at which people read such animations well (Hullman et al.,
+    "Hypothetical outcome plots outperform error bars and violin plots", PLoS ONE 2015; Kale et
+    al., "Hypothetical outcome plots help untrained observers judge trends in ambiguous data", IEEE
+    TVCG 2019).
+    """
+    return min(max(PLAYING / count, SHORTEST_OUTCOME), LONGEST_OUTCOME)

@@ -11,14 +11,14 @@ from pathlib import Path
 import numpy as np
 
 from scenes import Rollouts
-from studio.comparison import QUESTION, Comparison
+from studio.comparison import QUESTION, SIDES, Comparison
+from studio.dots import DotScale, Measure, measures
 from studio.framing import MARGIN, bounds_to_show
 from studio.naming import counted
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray, View
-from studio.painter.comparison_dots import DotPlot, DotScale, IconArray, draw_dot_axis
+from studio.painter.comparison_dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.painter.comparison_scene import OutcomeScene
 from studio.painter.labels import place
-from studio.painter.plots import round_range
 from studio.painter.stage import (
     draw_goal,
     draw_ground,
@@ -32,9 +32,6 @@ from studio.palette import LIGHT, Theme, contrast
 
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
-
-SIDES = ("A", "B")
-"""What the left and the right are called."""
 
 _MARGIN, _GAP = 36, 48  # of the page and between its sides, in units of the reference page
 _DOTS = 150  # height of the room for dots, in units of the reference page
@@ -94,16 +91,16 @@ def compose_comparison_picture(
 
 
 @dataclass(frozen=True)
-class Measure:
-    """What the dots of a plot measure.
+class Plot:
+    """The dots of a measure on both sides.
 
     Attributes:
-        names: what it is, the longest wording first.
-        scale: where the dots lie.
-        rooms: for the dots of each side, px.
+        measure: what they show.
+        scale: how they are stacked.
+        rooms: for the dots, px, one a side.
     """
 
-    names: tuple[str, ...]
+    measure: Measure
     scale: DotScale
     rooms: tuple[Box, ...]
 
@@ -119,7 +116,7 @@ class Page:
         legend: the line below the scenes.
         icons: arrays of icons.
         counts: where contacts are counted.
-        measures: what the dots measure.
+        plots: of dots.
     """
 
     comparison: Comparison
@@ -128,7 +125,7 @@ class Page:
     legend: Box
     icons: tuple[IconArray, ...]
     counts: tuple[Box, ...]
-    measures: tuple[Measure, ...]
+    plots: tuple[Plot, ...]
 
 
 def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
@@ -164,11 +161,8 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     legend = Box(page.left, scene_bottom, columns[0].right, scene_bottom + line)
     draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
     dots = tuple(Box(column.left, dots_top, column.right, dots_bottom) for column in columns)
-    measures = _measures(canvas, dots, rollouts)
-    for measure in measures:
-        for box in measure.rooms:
-            draw_dot_axis(canvas, box, measure.scale, measure.names)
-    return Page(comparison, canvas, tuple(views), legend, tuple(icons), tuple(counts), measures)
+    plots = _draw_plots(canvas, dots, rollouts)
+    return Page(comparison, canvas, tuple(views), legend, tuple(icons), tuple(counts), plots)
 
 
 def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
@@ -229,35 +223,24 @@ def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
         inside.text(box.centre, label.text, label.size, label.colour, anchor="centre")
 
 
-def _measures(canvas: Canvas, dots: tuple[Box, ...], rollouts: Rollouts) -> tuple[Measure, ...]:
-    """The measures, side by side below each scene: progress, and the gap if there are people."""
-    progress, gap = rollouts.progress_m, rollouts.clearance_m
-    given = [
-        (
-            ("progress towards the goal, m", "progress, m", "progress"),
-            progress,
-            round_range(min(0.0, float(progress.min())), float(progress.max())),
-        )
-    ]
-    if rollouts.scene.pedestrians:
-        names = ("smallest gap to a person, m", "gap to a person, m", "gap")
-        given.append((names, gap, round_range(0.0, max(float(gap.max()), 0.1))))
-    rooms = [box.columns([1.0] * len(given), _GAP * canvas.unit) for box in dots]
-    return tuple(
-        Measure(
-            names,
-            DotScale.fit(values, ends, rooms[0][place], _DOT_PITCH * canvas.unit),
-            tuple(r[place] for r in rooms),
-        )
-        for place, (names, values, ends) in enumerate(given)
-    )
+def _draw_plots(canvas: Canvas, sides: tuple[Box, ...], rollouts: Rollouts) -> tuple[Plot, ...]:
+    """Draw the axes of the measures, side by side on each side."""
+    shown, plots = measures(rollouts), []
+    rooms = [side.columns([1.0] * len(shown), _GAP * canvas.unit) for side in sides]
+    for measure, both in zip(shown, zip(*rooms, strict=True), strict=True):
+        room = both[0]
+        scale = DotScale.fit(measure, room.width, room.height, _DOT_PITCH * canvas.unit)
+        for room in both:
+            draw_dot_axis(canvas, room, measure)
+        plots.append(Plot(measure, scale, both))
+    return tuple(plots)
 
 
 def legends(page: Page) -> list[str]:
     """What the marks in the picture mean, the longest wording first."""
     rollouts = page.comparison.rollouts
     people = ["grey: people and their paths"] if rollouts.scene.pedestrians else []
-    told_apart = all(measure.scale.has_dots for measure in page.measures)
+    told_apart = all(has_dots(plot.scale) for plot in page.plots)
     dots = ["a dot: one outcome"] if told_apart else []
     contact = ["red: contact"] if (rollouts.contact_step >= 0).any() else []
     return [
@@ -293,8 +276,8 @@ class Show:
         ]
         self._plots = [
             [
-                DotPlot(measure.rooms[side], measure.scale, side, self._contact[side])
-                for measure in page.measures
+                DotPlot(plot.rooms[side], plot.scale, side, self._contact[side])
+                for plot in page.plots
             ]
             for side in range(len(SIDES))
         ]

@@ -1,9 +1,6 @@
 """The film of a comparison: every outcome of two actions in turn, side by side, then the picture.
 
-The k-th outcome plays on both sides at once: the same people with the same luck. About 0.4 s each
-is the pace at which people read such animations well (Hullman et al. 2015; Kale et al.,
-"Hypothetical outcome plots help untrained observers judge trends in ambiguous data", IEEE TVCG
-2019).
+The k-th outcome plays on both sides at once: the same people with the same luck.
 """
 
 from collections.abc import Iterator
@@ -12,30 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from studio.comparison import Comparison
+from studio.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
 from studio.naming import counted
 from studio.painter.canvas import Canvas, FloatArray, PixelArray
 from studio.painter.comparison import Page, Show, compose_comparison_picture, lay_out
 from studio.painter.encode import Progress, Segment, check_film_size, write_mp4
 from studio.palette import LIGHT, Theme
 
-OPENING = 0.6
-"""How long both scenes are shown at rest, s."""
-
-PLAYING = 20.0
-"""How long all outcomes together take, unless they are very few or very many, s."""
-
-SHORTEST_OUTCOME, LONGEST_OUTCOME = 0.1, 2.0
-"""How long one outcome takes at least and at most, s."""
-
 MOST_PLAYED = 300
 """Of more outcomes only so many move; the paths of the others appear beside theirs."""
-
-MOVING = 0.8
-"""Share of an outcome's time in which it moves; after that its end stands still."""
-
-ENDING = 3.0
-"""How long the closing picture is shown, s."""
 
 _SEGMENTS = 6  # that the outcomes are cut into; each costs a key frame and draws what came before
 
@@ -124,8 +106,7 @@ class Pace:
     def of(cls, count: int, frames_per_second: int) -> "Pace":
         """The pace at which so many outcomes are shown."""
         turns = min(count, MOST_PLAYED)
-        seconds = min(max(PLAYING / turns, SHORTEST_OUTCOME), LONGEST_OUTCOME)
-        frames = max(1, round(seconds * frames_per_second))
+        frames = max(1, round(seconds_each(turns) * frames_per_second))
         return cls(count, turns, frames, max(1, round(MOVING * frames)), frames_per_second)
 
     def shown(self, turns: int) -> int:

@@ -1,8 +1,8 @@
 """One side's scene in a comparison: outcomes move one at a time and leave faint paths behind.
 
-Showing them one at a time lets a person count without being told to (Hullman et al., "Hypothetical
-outcome plots outperform error bars and violin plots", PLoS ONE 2015); paths instead of a hull keep
-rare ones visible and the area between them empty (Padilla et al., "Effects of ensemble and summary
+Shown one at a time they can be counted without being told to (Hullman et al., "Hypothetical outcome
+plots outperform error bars and violin plots", PLoS ONE 2015); paths instead of a hull keep rare
+ones visible and the area between them empty (Padilla et al., "Effects of ensemble and summary
 displays on interpretations of geospatial uncertainty data", Cognitive Research 2017).
 """
 
