@@ -53,7 +53,8 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
     versions = package_versions()
     theme = LIGHT.of(action.name for action in rollouts.actions)
-    with recording_to(path, entities.APPLICATION, _identity(rollouts), blueprint) as stream:
+    with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
+        stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
         log_properties(stream, rollouts, versions)
         log_ground(stream, entities.GROUND)
         log_scene(stream, rollouts, bounds, theme)
@@ -73,9 +74,8 @@ def log_properties(
     rollouts: Rollouts,
     versions: dict[str, str],
 ) -> None:
-    """Name the recording and say what is needed to make it again."""
+    """Say what is needed to make the recording again."""
     scene, actions = rollouts.scene, rollouts.actions
-    stream.send_recording_name(f"{scene.name}, seed {rollouts.seed}")
     # a component costs a kilobyte however little it holds, hence text where there are many
     stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
     stream.send_property(
@@ -123,7 +123,7 @@ def package_versions() -> dict[str, str]:
     return {"python": sys.version.split()[0], **versions}
 
 
-def _identity(rollouts: Rollouts) -> str:
+def identity(rollouts: Rollouts) -> str:
     """An id that is the same for the same simulation: opened twice, it is one recording."""
     made_of = (
         scene_to_toml(rollouts.scene),
