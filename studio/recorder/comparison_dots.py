@@ -17,7 +17,7 @@ from studio.naming import number
 from studio.painter.plots import ticks
 from studio.palette import Theme, blend
 from studio.recorder import entities
-from studio.recorder.comparison_story import ends
+from studio.recorder.comparison_story import ends, story_times
 from studio.recorder.drawing import Drawing
 
 BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
@@ -66,7 +66,7 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
     stream.log(f"{path}/outcomes", rr.Points2D.from_fields(draw_order=40.0), static=True)
     stream.send_columns(
         f"{path}/outcomes",
-        [rr.TimeColumn(entities.STORY, duration=ends(len(contact)))],
+        [story_times(ends(len(contact)))],
         rr.Points2D.columns(
             positions=np.stack(places, axis=1).reshape(-1, 2),
             colors=np.stack(colours, axis=1).reshape(-1, 3).astype(np.uint8),
@@ -93,7 +93,7 @@ def log_count(
     )
     stream.send_columns(
         path,
-        [rr.TimeColumn(entities.STORY, duration=[0.0, *ends(len(contact))])],
+        [story_times(np.append(0.0, ends(len(contact))))],
         rr.LineStrips2D.columns(
             strips=[[place, place]] * len(counts),
             labels=[f"{count} of {len(contact)} with contact" for count in counts],

@@ -114,7 +114,7 @@ def log_gathering_paths(
     stream.log(path, rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8)), static=True)
     stream.send_columns(
         path,
-        [rr.TimeColumn(entities.STORY, duration=ends(len(robot)))],
+        [story_times(ends(len(robot)))],
         rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths),
     )
 
@@ -136,13 +136,19 @@ def moments(rollouts: Rollouts) -> rr.TimeColumn:
     playing = OPENING + each * (np.arange(count)[:, None] + shares)
     over = OPENING + each * count
     times = np.concatenate([[0.0], playing.ravel(), [over, over + ENDING]])
-    return rr.TimeColumn(entities.STORY, duration=times)
+    return story_times(times)
 
 
 def ends(count: int) -> FloatArray:
     """When each of so many outcomes comes to its end, s of the story."""
-    times: FloatArray = OPENING + seconds_each(count) * (np.arange(count) + MOVING)
+    places = np.arange(count, dtype=np.float64)
+    times: FloatArray = OPENING + seconds_each(count) * (places + MOVING)
     return times
+
+
+def story_times(seconds: FloatArray) -> rr.TimeColumn:
+    """Times of the story, to the microsecond: readers stumble over finer ones."""
+    return rr.TimeColumn(entities.STORY, duration=np.rint(1e6 * seconds).astype("timedelta64[us]"))
 
 
 def with_rest(rows: NDArray[Number], rest: NDArray[Number]) -> NDArray[Number]:
