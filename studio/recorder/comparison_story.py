@@ -45,7 +45,8 @@ def log_moving_robot(
     contact_step = rollouts.contact_step[side, :, None]
     touched = with_rest(((contact_step >= 0) & (steps >= contact_step)).ravel(), np.array(False))
     places = rounded(poses[:, :2])
-    stream.log(f"{path}/robot", rr.Points2D.from_fields(radii=ROBOT_RADIUS), static=True)
+    body = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
+    stream.log(f"{path}/robot", body, static=True)
     stream.send_columns(
         f"{path}/robot",
         [when],
@@ -84,7 +85,7 @@ def log_moving_people(
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
     places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
     style = rr.Points2D.from_fields(
-        radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=28.0
+        radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
     )
     stream.log(path, style, static=True)
     stream.send_columns(
