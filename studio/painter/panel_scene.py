@@ -11,6 +11,7 @@ from studio.judgements import Judgement
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
 from studio.painter.labels import Label, draw_labels
 from studio.painter.stage import (
+    draw_contacts,
     draw_goal,
     draw_ground,
     draw_groups,
@@ -85,9 +86,7 @@ def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     """Mark where the robot first touches something."""
     for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
         touching = np.flatnonzero(steps >= 0)
-        for centre in view.to_pixels(paths[touching, steps[touching]]):
-            canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
-            canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+        draw_contacts(canvas, view, paths[touching, steps[touching]])
 
 
 def _scene_labels(

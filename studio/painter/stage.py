@@ -75,6 +75,13 @@ def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> 
     canvas.polygon(centre + 0.66 * radius * corners, canvas.theme.ground)
 
 
+def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched something."""
+    for centre in view.to_pixels(places):
+        canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
+        canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+
+
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
     """Draw the robot's goal: a ring if it is in view, an arrowhead at the edge if it is not.
 

@@ -31,7 +31,7 @@ def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             "(grey) in the first of these futures, in true size, dots are where they are in the "
             "others. A robot is red once it has touched somebody or a wall; a cross marks where.",
             "",
-            *_outcome_table(rollouts, judgements),
+            *outcome_table(rollouts, judgements),
             "",
             f"{'; '.join(picks)}.{_disagreement(rollouts, judgements)}",
             "",
@@ -146,7 +146,7 @@ def about_page(
             "",
             "## Outcomes",
             "",
-            *_outcome_table(rollouts, judgements),
+            *outcome_table(rollouts, judgements),
             "",
             "## Teachers",
             "",
@@ -187,7 +187,7 @@ def about_page(
     )
 
 
-def _outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
+def outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
     """One row an action: contacts, gap, progress, and its value to every teacher."""
     count = rollouts.robot.shape[1]
     contacts = (rollouts.contact_step >= 0).sum(axis=1)

@@ -4,6 +4,9 @@ Every view costs about ten kilobytes, and every style that a view lays over the 
 views are few and show things as they were logged.
 """
 
+from collections.abc import Sequence
+
+import rerun as rr
 import rerun.blueprint as rrb
 
 from scenes import Rollouts
@@ -139,8 +142,18 @@ def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
     return drawn_view([f"{figure}/**"], bounds, title)
 
 
-def drawn_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
-    """A view of drawn things on light ground, framed by bounds whose y counts upwards."""
+def drawn_view(
+    contents: list[str], bounds: Bounds, title: str, gathering: Sequence[str] = ()
+) -> rrb.View:
+    """A view of drawn things on light ground, framed by bounds whose y counts upwards.
+
+    Of what is gathering everything stays that has been there; it gathers over the story.
+    """
+    so_far = rrb.VisibleTimeRanges(
+        timeline=entities.STORY,
+        start=rr.TimeRangeBoundary.infinite(),
+        end=rr.TimeRangeBoundary.cursor_relative(),
+    )
     x0, y0, x1, y1 = bounds
     return rrb.Spatial2DView(
         # only views from the root apply the transform that turns y upwards
@@ -148,6 +161,7 @@ def drawn_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
         contents=[f"+ /{path}" for path in (entities.GROUND, *contents)],
         name=title,
         visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
+        overrides={f"/{path}": so_far for path in gathering},
     )
 
 

@@ -8,6 +8,12 @@ import rerun as rr
 APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
 
+COMPARISON_APPLICATION = "prospect_studio_comparison"
+"""Of a recording of two actions side by side."""
+
+STORY = "story"
+"""The timeline along which a comparison plays one outcome after the other."""
+
 GROUND = "ground"
 WORLD = "world"
 GRID = "world/grid"
@@ -32,6 +38,7 @@ SUMMARY = "summary"
 DISAGREEMENTS = "disagreements"
 ABOUT = "about"
 SCENE = "/__properties/scene"
+COMPARED = "/__properties/comparison"
 SIMULATION = "/__properties/simulation"
 
 
@@ -58,6 +65,16 @@ def paths(name: str) -> str:
 def distributions(name: str) -> str:
     """The figure of how the outcomes of one action are distributed."""
     return f"{FIGURES}/actions/{_part(name)}"
+
+
+def story(name: str) -> str:
+    """The world under one action, its outcomes one after the other."""
+    return f"{WORLD}/story/{_part(name)}"
+
+
+def dots(name: str) -> str:
+    """The figure of one action's outcomes as dots that gather."""
+    return f"{FIGURES}/dots/{_part(name)}"
 
 
 def _part(name: str) -> str:

@@ -4,13 +4,14 @@ from pathlib import Path
 
 from studio.errors import InputError
 from studio.recorder import entities, learning_entities
-from studio.recorder.contents import read_contents
+from studio.recorder.contents import Contents, read_contents
 from studio.recorder.learning import SCHEMA_VERSION as STUDY_VERSION
+from studio.recorder.read_comparison import ComparisonRecording, read_comparison
 from studio.recorder.read_scene import SceneRecording, read_scene
 from studio.recorder.read_study import StudyRecording, read_study
-from studio.recorder.recording import SCHEMA_VERSION as SCENE_VERSION
+from studio.recorder.recording import SCHEMA_VERSION
 
-Recording = SceneRecording | StudyRecording
+Recording = SceneRecording | ComparisonRecording | StudyRecording
 
 
 def read_recording(path: Path) -> Recording:
@@ -21,18 +22,20 @@ def read_recording(path: Path) -> Recording:
     """
     contents = read_contents(path)
     if contents.application == entities.APPLICATION:
-        told = contents.static(entities.SIMULATION, "schema_version")[0]
-        _check_version(path, told, SCENE_VERSION)
+        _check_version(contents, entities.SIMULATION, SCHEMA_VERSION)
         return read_scene(contents)
+    if contents.application == entities.COMPARISON_APPLICATION:
+        _check_version(contents, entities.SIMULATION, SCHEMA_VERSION)
+        return read_comparison(contents)
     if contents.application == learning_entities.APPLICATION:
-        told = contents.static(learning_entities.STUDY, "schema_version")[0]
-        _check_version(path, told, STUDY_VERSION)
+        _check_version(contents, learning_entities.STUDY, STUDY_VERSION)
         return read_study(contents)
     raise InputError(f"{path}: is a recording of {contents.application!r}, not one of the studio")
 
 
-def _check_version(path: Path, told: int, newest: int) -> None:
+def _check_version(contents: Contents, entity: str, newest: int) -> None:
+    told = int(contents.static(entity, "schema_version")[0])
     if not 1 <= told <= newest:
         raise InputError(
-            f"{path}: is of edition {told}: this version of the studio reads up to {newest}"
+            f"{contents.path}: is of edition {told}: this version of the studio reads 1 to {newest}"
         )

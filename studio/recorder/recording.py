@@ -55,21 +55,34 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
     versions = package_versions()
     theme = LIGHT.of(action.name for action in rollouts.actions)
-    with recording_to(path, entities.APPLICATION, _identity(rollouts), blueprint) as stream:
-        log_properties(stream, rollouts, judgements, versions)
-        log_ground(stream, entities.GROUND)
-        log_scene(stream, rollouts, bounds, theme)
-        for index in range(len(rollouts.actions)):
-            log_action(stream, rollouts, index, theme)
+    with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
+        stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
+        log_simulation(stream, rollouts, judgements, versions, theme)
         if rollouts.scene.pedestrians:
-            log_without_robot(stream, rollouts, theme)
             log_clearance(stream, rollouts, theme)
-        log_outcomes(stream, rollouts)
-        log_judgements(stream, judgements)
         log_figures(stream, rollouts, judgements, theme)
         log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
         log_text(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
         log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
+
+
+def log_simulation(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    versions: dict[str, str],
+    theme: Theme,
+) -> None:
+    """Keep what was simulated and judged: all that a scene is read back from."""
+    log_properties(stream, rollouts, judgements, versions)
+    log_ground(stream, entities.GROUND)
+    log_scene(stream, rollouts, bounds_to_show(rollouts), theme)
+    for index in range(len(rollouts.actions)):
+        log_action(stream, rollouts, index, theme)
+    if rollouts.scene.pedestrians:
+        log_without_robot(stream, rollouts, theme)
+    log_outcomes(stream, rollouts)
+    log_judgements(stream, judgements)
 
 
 def log_properties(
@@ -78,9 +91,8 @@ def log_properties(
     judgements: tuple[Judgement, ...],
     versions: dict[str, str],
 ) -> None:
-    """Name the recording and say what is needed to make it again."""
+    """Say what is needed to make the recording again."""
     scene, actions = rollouts.scene, rollouts.actions
-    stream.send_recording_name(f"{scene.name}, seed {rollouts.seed}")
     teachers = {each.teacher: asdict(each.parameters) for each in judgements}
     # a component costs a kilobyte however little it holds, hence text where there are many
     stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
@@ -131,7 +143,7 @@ def package_versions() -> dict[str, str]:
     return {"python": sys.version.split()[0], **versions}
 
 
-def _identity(rollouts: Rollouts) -> str:
+def identity(rollouts: Rollouts) -> str:
     """An id that is the same for the same simulation: opened twice, it is one recording."""
     made_of = (
         scene_to_toml(rollouts.scene),

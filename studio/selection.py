@@ -1,0 +1,47 @@
+"""Some of the actions that a scene was simulated under."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from scenes import Rollouts
+from scenes.geometry import FloatArray
+from studio.errors import InputError
+
+_BY_ACTION = (
+    "robot",
+    "pedestrians",
+    "features",
+    "clearance_m",
+    "deviation_m",
+    "progress_m",
+    "contact_step",
+)
+"""The arrays of rollouts whose first axis is the actions."""
+
+
+def only(rollouts: Rollouts, names: Sequence[str]) -> Rollouts:
+    """The rollouts under the actions of these names alone, in the order of the names.
+
+    Its arrays are read-only copies; what does not depend on the action is shared.
+
+    Raises:
+        InputError: if no name is given, one is given twice, or there is no such action.
+    """
+    known = [action.name for action in rollouts.actions]
+    if not names:
+        raise InputError(f"actions: none given, at least one is needed: {', '.join(known)}")
+    for name in names:
+        if name not in known:
+            raise InputError(f"action: {name!r} is not there: {', '.join(known)}")
+    if len(set(names)) < len(names):
+        raise InputError(f"actions: {', '.join(names)}: each can be taken once")
+    places = [known.index(name) for name in names]
+    arrays: dict[str, FloatArray] = {field: getattr(rollouts, field) for field in _BY_ACTION}
+    taken = {field: array[places] for field, array in arrays.items()}
+    for array in taken.values():
+        array.setflags(write=False)
+    return replace(
+        rollouts,
+        actions=tuple(rollouts.actions[place] for place in places),
+        **taken,  # type: ignore[arg-type]
+    )
