@@ -278,7 +278,7 @@ class Canvas:
         if left < right and top < bottom:
             shares = disc_coverage(x - left, y - top, radius, right - left, bottom - top)
             under = self.pixels[top:bottom, left:right]
-            under[:] = under + (np.array(colour, np.float32) - under) * shares[..., None] + 0.5
+            under[:] = tinted(under, colour, shares)
 
     def polygon(self, points: ArrayLike, colour: Colour) -> None:
         """Fill a polygon given by its corners [N, 2]."""
@@ -502,7 +502,8 @@ def disc_coverage(
     """How much of each pixel [height, width] a disc around (x, y) covers, 0 to 1."""
     across = np.arange(width, dtype=np.float32) + np.float32(0.5 - x)
     down = np.arange(height, dtype=np.float32) + np.float32(0.5 - y)
-    beyond = np.hypot(down[:, None], across) - np.float32(radius)
+    # several times as fast as np.hypot
+    beyond = np.sqrt(np.add.outer(down * down, across * across)) - np.float32(radius)
     # twice as fast as np.clip
     shares: NDArray[np.float32] = np.minimum(np.maximum(np.float32(0.5) - beyond, 0.0), 1.0)
     return shares
@@ -511,7 +512,8 @@ def disc_coverage(
 def tinted(pixels: PixelArray, colour: Colour, shares: NDArray[np.float32]) -> PixelArray:
     """Pixels [h, w, 3] with a colour over them, as opaque as the shares [h, w] say."""
     over = np.empty_like(pixels)
-    over[:] = colour
+    # row by row: several times as fast as pixel by pixel
+    over[:] = np.full(pixels.shape[1:], colour, np.uint8)
     return cast(PixelArray, cv2.blendLinear(over, pixels, shares, 1.0 - shares))
 
 

@@ -45,9 +45,10 @@ def write_film(
     size: tuple[int, int] = (1280, 720),
     frames_per_second: int = 30,
     theme: Theme = LIGHT,
+    codec: str = "h264",
     progress: Progress | None = None,
 ) -> None:
-    """Write the film of a scene as an MP4 file (H.264).
+    """Write the film of a scene as an MP4 file.
 
     The same arguments give the same bytes.
 
@@ -56,18 +57,19 @@ def write_film(
         rollouts: of the scene under each action.
         judgements: the teachers' values of these actions.
         size: width and height, px; even.
-        frames_per_second: whole.
+        frames_per_second: whole, 1 to 60.
         theme: of the page.
+        codec: `h264` or `av1`.
         progress: told after every frame how many of how many are done; called from other threads,
             by one at a time.
 
     Raises:
-        InputError: if the size is not allowed.
+        InputError: if the size, the number of frames or the codec is not allowed.
         RunError: if the file cannot be written.
     """
     check_film_size(size)
     film = compose_film(rollouts, judgements, size, frames_per_second, theme)
-    write_mp4(path, film, size, frames_per_second, progress)
+    write_mp4(path, film, size, frames_per_second, codec, progress)
 
 
 def compose_film(

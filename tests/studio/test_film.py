@@ -196,7 +196,9 @@ def test_progress_counts_every_frame(default, tmp_path):
     told = []
     frame = np.zeros((360, 640, 3), np.uint8)
     segments = [Segment(3, lambda: iter([frame] * 3)), Segment(2, lambda: iter([frame] * 2))]
-    write_mp4(tmp_path / "film.mp4", segments, SIZE, 30, lambda *counts: told.append(counts))
+    write_mp4(
+        tmp_path / "film.mp4", segments, SIZE, 30, progress=lambda *counts: told.append(counts)
+    )
     assert told == [(done, 5) for done in range(1, 6)]
 
 
