@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -19,7 +19,8 @@ from studio.errors import InputError, RunError
 
 if TYPE_CHECKING:
     from scenes import Noise
-    from studio.orchestrator import Learned, Recorded
+    from studio.orchestrator import Compared, Learned, Recorded
+    from studio.sources import Source
 
 
 class OneLineErrors(click.Group):
@@ -78,6 +79,22 @@ class Place(click.ParamType[tuple[float, float]]):
         except ValueError:
             self.fail(f"{value!r} is not a place: two numbers in metres, x,y", param, context)
         return x, y
+
+
+class Size(click.ParamType[tuple[int, int]]):
+    """Width and height of a picture, written `WxH`, in pixels."""
+
+    name = "WxH"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, context: click.Context | None
+    ) -> tuple[int, int]:
+        """Read `1280x720` as (1280, 720)."""
+        try:
+            width, height = (int(part) for part in str(value).lower().split("x"))
+        except ValueError:
+            self.fail(f"{value!r} is not a size: two whole numbers, WxH", param, context)
+        return width, height
 
 
 def _read_noise(_context: click.Context, _option: click.Parameter, given: tuple[str, ...]) -> Noise:
@@ -144,6 +161,49 @@ def _simulation_options(command: Command) -> Command:
             help="Strength of one source of noise, for example acceleration=0.5; repeatable.",
         ),
     ]
+    return _with(options, command)
+
+
+_SCENE = ("scene", "pattern", "number", "frame", "robot_start", "robot_goal")
+
+
+def _scene_options(command: Command) -> Command:
+    """The options that say which scene is meant."""
+    options = [
+        click.option(
+            "--scene",
+            required=True,
+            metavar="NAME|FILE.toml|TRACKS",
+            help="A family (see `studio scenes`), a scene file, or the obsmat.txt of tracks.",
+        ),
+        click.option("--pattern", help="How people meet, for a family."),
+        click.option("--number", type=int, help="Which scene of the seed's series, for a family."),
+        click.option("--frame", type=int, help="Which frame, for tracks; the busiest if left out."),
+        click.option("--robot-start", type=Place(), help="Where the robot starts, for tracks."),
+        click.option("--robot-goal", type=Place(), help="Where the robot is headed, for tracks."),
+    ]
+    return _with(options, command)
+
+
+def _take_source(given: dict[str, Any]) -> Source:
+    """Take which scene is meant out of the options given."""
+    from studio.sources import Source
+
+    return Source(seed=given["seed"], **{name: given.pop(name) for name in _SCENE})
+
+
+def _file_options(command: Command) -> Command:
+    """The options that say what is written where."""
+    options = [
+        _OUT_FOLDER,
+        click.option("--no-png", is_flag=True, help="Write no picture."),
+        click.option("--no-mp4", is_flag=True, help="Write no film."),
+    ]
+    return _with(options, command)
+
+
+def _with(options: Sequence[Callable[[Command], Command]], command: Command) -> Command:
+    """The command with options, listed in this order."""
     for option in reversed(options):
         command = option(command)
     return command
@@ -156,45 +216,41 @@ def main() -> None:
 
 
 @main.command()
-@click.option(
-    "--scene",
-    required=True,
-    metavar="NAME|FILE.toml|TRACKS",
-    help="A family (see `studio scenes`), a scene file, or the obsmat.txt of recorded tracks.",
-)
-@click.option("--pattern", help="How people meet, for a family.")
-@click.option("--number", type=int, help="Which scene of the seed's series, for a family.")
-@click.option("--frame", type=int, help="Which frame, for tracks; the busiest if left out.")
-@click.option("--robot-start", type=Place(), help="Where the robot starts, for tracks.")
-@click.option("--robot-goal", type=Place(), help="Where the robot is headed, for tracks.")
+@_scene_options
 @_simulation_options
-@_OUT_FOLDER
-@click.option("--no-png", is_flag=True, help="Write no picture.")
-@click.option("--no-mp4", is_flag=True, help="Write no film.")
-def record(
-    scene: str,
-    pattern: str | None,
-    number: int | None,
-    frame: int | None,
-    robot_start: tuple[float, float] | None,
-    robot_goal: tuple[float, float] | None,
-    seed: int,
-    out: Path,
-    no_png: bool,
-    no_mp4: bool,
-    **settings: Any,
-) -> None:
+@_file_options
+def record(out: Path, no_png: bool, no_mp4: bool, **given: Any) -> None:
     """Simulate a scene; write its recording, picture and film.
 
     Writes OUT/NAME.rrd (open it with `studio view`), NAME.png and NAME.mp4.
     """
     from studio.orchestrator import Studio
     from studio.progress import Terminal
-    from studio.sources import Source
 
-    source = Source(scene, pattern, seed, number, frame, robot_start, robot_goal)
+    source = _take_source(given)
     studio = Studio(out, Terminal())
-    _print_recorded(studio.record(source, seed, png=not no_png, mp4=not no_mp4, **settings))
+    _print_recorded(studio.record(source, png=not no_png, mp4=not no_mp4, **given))
+
+
+@main.command()
+@click.argument("one")
+@click.argument("other")
+@_scene_options
+@_simulation_options
+@_file_options
+def compare(one: str, other: str, out: Path, no_png: bool, no_mp4: bool, **given: Any) -> None:
+    """Put two actions of a scene side by side: which would you rather the robot did?
+
+    For example `studio compare --scene doorway forward slow_down`. Writes OUT/NAME-ONE-OTHER.rrd,
+    .png and .mp4, in which every outcome of both actions plays, one after the other, with the same
+    people and the same luck on both sides. The seed chooses the sides.
+    """
+    from studio.orchestrator import Studio
+    from studio.progress import Terminal
+
+    source = _take_source(given)
+    studio = Studio(out, Terminal())
+    _print_compared(studio.compare(source, one, other, png=not no_png, mp4=not no_mp4, **given))
 
 
 @main.command()
@@ -327,6 +383,66 @@ def learn(
 
 @main.command()
 @click.argument("file", type=click.Path(path_type=Path))
+@click.option("--png", type=click.Path(path_type=Path), help="The picture to write.")
+@click.option("--mp4", type=click.Path(path_type=Path), help="The film to write.")
+@click.option("--gif", type=click.Path(path_type=Path), help="The animated GIF to write.")
+@click.option("--actions", callback=_read_names, metavar="A,B", help="Only these, of a scene.")
+@click.option("--size", type=Size(), help="Width and height in pixels, for example 1280x720.")
+@click.option("--fps", default=30, show_default=True, help="Frames per second of films.")
+@click.option(
+    "--theme",
+    type=click.Choice(["light", "dark"]),
+    default="light",
+    show_default=True,
+    help="Ground of pictures and films.",
+)
+@click.option(
+    "--codec",
+    type=click.Choice(["h264", "av1"]),
+    default="h264",
+    show_default=True,
+    help="Of the MP4.",
+)
+@click.option(
+    "--from",
+    "start",
+    type=float,
+    help="Where to begin: s of a scene, outcomes of a comparison, pairs of a study.",
+)
+@click.option("--to", "end", type=float, help="Where to end, likewise.")
+def render(
+    file: Path,
+    png: Path | None,
+    mp4: Path | None,
+    gif: Path | None,
+    actions: tuple[str, ...],
+    size: tuple[int, int] | None,
+    fps: int,
+    theme: str,
+    codec: str,
+    start: float | None,
+    end: float | None,
+) -> None:
+    """Paint pictures and films from a recording alone.
+
+    Without --png, --mp4 and --gif, a picture and a film beside the recording. Nothing is
+    simulated again, and recordings of older versions of the studio will do.
+    """
+    from studio.orchestrator import Studio
+    from studio.pictures import Excerpt, Look
+    from studio.progress import Terminal
+
+    files = [named for named in (png, mp4, gif) if named is not None]
+    for option, named in {".png": png, ".mp4": mp4, ".gif": gif}.items():
+        if named is not None and named.suffix != option:
+            raise InputError(f"--{option[1:]}: {named}: a name that ends in {option} is needed")
+    look, excerpt = Look(size, fps, theme, codec), Excerpt(actions, start, end)
+    for written in Studio(progress=Terminal()).render(file, *files, look=look, excerpt=excerpt):
+        click.echo(f"{written}  {_size(written)}")
+
+
+@main.command()
+@click.argument("file", type=click.Path(path_type=Path))
 def view(file: Path) -> None:
     """Open a recording in the Rerun viewer."""
     from studio.orchestrator import Studio
@@ -359,6 +475,18 @@ def _print_recorded(recorded: Recorded) -> None:
         click.echo(f"{action.name:<16}{f'{touched} of {tries}':>10} {values}")
     click.echo("* the action that this teacher would pick")
     for file in recorded.files:
+        click.echo(f"{file}  {_size(file)}")
+
+
+def _print_compared(compared: Compared) -> None:
+    from studio.comparison import SIDES
+
+    rollouts = compared.comparison.rollouts
+    tries = rollouts.features.shape[1]
+    for index, (side, action) in enumerate(zip(SIDES, rollouts.actions, strict=True)):
+        touched = int((rollouts.contact_step[index] >= 0).sum())
+        click.echo(f"{side}  {action.name:<16}{touched} of {tries} with contact")
+    for file in compared.files:
         click.echo(f"{file}  {_size(file)}")
 
 

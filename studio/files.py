@@ -9,12 +9,16 @@ from studio.errors import InputError, RunError
 
 
 @contextmanager
-def replacing(*paths: Path) -> Iterator[list[Path]]:
+def replacing(*paths: Path, option: str = "--out") -> Iterator[list[Path]]:
     """Temporary names beside the final ones, all moved into place when the block has succeeded.
 
     A reader never finds half a file, and old files survive a failure or an interruption. Folders
     are made as needed, and go again if nothing comes of it. That files can be written there is
     found out before the block begins.
+
+    Args:
+        paths: of the files.
+        option: what messages call where these paths come from.
 
     Raises:
         InputError: if a path is a folder, or its folder cannot be made or written to.
@@ -24,7 +28,7 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
     parts = [path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}") for path in paths]
     try:
         for path, part in zip(paths, parts, strict=True):
-            _prepare(path, part, made)
+            _prepare(path, part, made, option)
         yield parts
         for path, part in zip(paths, parts, strict=True):
             part.replace(path)
@@ -44,7 +48,7 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
                 folder.rmdir()
 
 
-def _prepare(path: Path, part: Path, made: list[Path]) -> None:
+def _prepare(path: Path, part: Path, made: list[Path], option: str) -> None:
     """Make a path's folder, noting what is made, and the empty temporary file."""
     try:
         missing = [folder for folder in (path.parent, *path.parent.parents) if not folder.exists()]
@@ -52,10 +56,10 @@ def _prepare(path: Path, part: Path, made: list[Path]) -> None:
             folder.mkdir()
             made.append(folder)
         if path.is_dir():
-            raise InputError(f"--out: {path}: is a folder: the name of a file is needed")
+            raise InputError(f"{option}: {path}: is a folder: the name of a file is needed")
         part.touch()
     except OSError as error:
-        raise InputError(f"--out: {path}: cannot be written: {error.strerror}") from None
+        raise InputError(f"{option}: {path}: cannot be written: {error.strerror}") from None
 
 
 def check_is_recording(path: Path) -> None:

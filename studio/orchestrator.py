@@ -26,8 +26,11 @@ if TYPE_CHECKING:
     from learners.study import Study
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
+    from studio.comparison import Comparison
     from studio.judgements import Judgement
+    from studio.pictures import Excerpt, Look
     from studio.recorder.learning_scenes import SceneLink
+    from studio.recorder.read import Recording
 
 _COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
 
@@ -59,6 +62,21 @@ class Recorded:
     """
 
     rollouts: Rollouts
+    judgements: tuple[Judgement, ...]
+    files: tuple[Path, ...]
+
+
+@dataclass(frozen=True)
+class Compared:
+    """What came of comparing two actions.
+
+    Attributes:
+        comparison: of the two actions, which are on random sides.
+        judgements: what each teacher thinks of the two, left then right.
+        files: what was written: recording, picture, film.
+    """
+
+    comparison: Comparison
     judgements: tuple[Judgement, ...]
     files: tuple[Path, ...]
 
@@ -100,23 +118,106 @@ class Studio:
         """
         from scenes import simulate, warm_up
 
-        if isinstance(scene, str | Path):
-            scene = Source(str(scene), seed=seed)
-        if isinstance(scene, Source):
-            scene = find_scene(scene)
-        suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
-        files = tuple(self.out / f"{scene.name}{suffix}" for suffix in suffixes)
+        found = self._find(scene, seed)
+        files = self._files(found.name, png, mp4)
         with replacing(*files) as parts:
             with self.progress.waiting(_COMPILING):
                 warm_up(settings.get("engine", "batched"))
-            rollouts = simulate(scene, seed=seed, **settings)
+            rollouts = simulate(found, seed=seed, **settings)
 
             from studio.judgements import judge
+            from studio.recorder.read import read_recording
+            from studio.recorder.recording import write_recording
 
             judgements = judge(rollouts)
-            for part in parts:
-                self._write(part, rollouts, judgements)
+            write_recording(parts[0], rollouts, judgements)
+            for part in parts[1:]:
+                # of the recording, not of what was simulated: the picture is the data
+                self._paint(part, read_recording(parts[0]))
         return Recorded(rollouts, judgements, files)
+
+    def compare(
+        self,
+        scene: str | Path | Source | Scene,
+        one: str,
+        other: str,
+        seed: int = 0,
+        *,
+        png: bool = True,
+        mp4: bool = True,
+        **settings: Any,
+    ) -> Compared:
+        """Put two actions of a scene side by side; write recording, picture and film.
+
+        Args:
+            scene: a scene, where it comes from, or just the name or path of where.
+            one: name of an action.
+            other: name of another.
+            seed: of the noise, of which action comes to the left, and of the scene if only its
+                family is named.
+            png: whether to write the picture.
+            mp4: whether to write the film.
+            settings: further arguments of `scenes.simulate`.
+
+        Raises:
+            InputError: if there is no such scene or action, a setting is not allowed
+                (`scenes.InputError`), or the folder cannot be written to.
+        """
+        from scenes import simulate, warm_up
+        from studio.comparison import compare
+
+        found = self._find(scene, seed)
+        files = self._files(f"{found.name}-{one}-{other}", png, mp4)
+        with replacing(*files) as parts:
+            with self.progress.waiting(_COMPILING):
+                warm_up(settings.get("engine", "batched"))
+            comparison = compare(simulate(found, seed=seed, **settings), one, other, seed)
+
+            from studio.judgements import judge
+            from studio.recorder.comparison import write_comparison_recording
+            from studio.recorder.read import read_recording
+
+            judgements = judge(comparison.rollouts)
+            write_comparison_recording(parts[0], comparison, judgements)
+            for part in parts[1:]:
+                self._paint(part, read_recording(parts[0]))
+        return Compared(comparison, judgements, files)
+
+    def render(
+        self,
+        recording: str | Path,
+        *files: str | Path,
+        look: Look | None = None,
+        excerpt: Excerpt | None = None,
+    ) -> tuple[Path, ...]:
+        """Paint pictures and films from a recording alone; nothing is simulated again.
+
+        Args:
+            recording: the `.rrd` file, of this version of the studio or an older one.
+            files: what to write; the endings say what they become: `.png`, `.mp4` or `.gif`. Left
+                out, a picture and a film beside the recording.
+            look: how they look.
+            excerpt: which part of the recording they show.
+
+        Returns:
+            The files that were written.
+
+        Raises:
+            InputError: if the file is not a recording of the studio, an ending, the look or the
+                excerpt is not allowed, or a file cannot be written.
+        """
+        from studio.pictures import Excerpt, Look, check_files
+        from studio.recorder.read import read_recording
+
+        source = Path(recording)
+        wanted = tuple(map(Path, files)) or (source.with_suffix(".png"), source.with_suffix(".mp4"))
+        look, excerpt = look or Look(), excerpt or Excerpt()
+        read = read_recording(source)
+        check_files(wanted, read, excerpt)
+        with replacing(*wanted, option="--png, --mp4, --gif") as parts:
+            for part in parts:
+                self._paint(part, read, look, excerpt)
+        return wanted
 
     def sample(self, path: str | Path, plan: BankPlan) -> Path:
         """Sample the outcome bank of a plan into a Parquet file.
@@ -179,13 +280,13 @@ class Studio:
         with replacing(*files, *drawn) as [parquet, png, rrd, *papers]:
             table = self._study(study, unfinished)
 
-            from studio.painter.learning import write_learning_picture
+            from studio.painter.learning import compose_learning_picture
             from studio.recorder.learning import write_learning_recording
 
             # first the scenes, so that no link ever leads nowhere
             links = self._record_scenes(study, table, bank)
             write_table(parquet, table)
-            write_learning_picture(png, table, study.teachers)
+            compose_learning_picture(table, study.teachers).save(png)
             settings = {"outcomes": bank.name}
             write_learning_recording(rrd, table, study.teachers, settings, links)
             for paper in papers:
@@ -205,6 +306,7 @@ class Studio:
         from studio.judgements import judge
         from studio.recorder.learning_results import Results
         from studio.recorder.learning_scenes import SceneLink
+        from studio.recorder.recording import write_recording
 
         plan = read_plan(bank)
         telling = Results(table, study.teachers).telling
@@ -219,7 +321,7 @@ class Studio:
                 name = again.rollouts.scene.name
                 path = f"{FOLDER}/{name}.rrd"
                 with replacing(self.out / path) as [part]:
-                    self._write(part, again.rollouts, judge(again.rollouts))
+                    write_recording(part, again.rollouts, judge(again.rollouts))
                 links[again.number] = SceneLink(name, path, again.commands)
                 done(len(links), len(numbers))
         return links
@@ -262,20 +364,32 @@ class Studio:
         if code:
             raise RunError(f"the Rerun viewer ended with exit code {code}; is there a display?")
 
-    def _write(self, part: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
-        if part.suffix == ".rrd":
-            from studio.recorder.recording import write_recording
+    def _find(self, scene: str | Path | Source | Scene, seed: int) -> Scene:
+        if isinstance(scene, str | Path):
+            scene = Source(str(scene), seed=seed)
+        return find_scene(scene) if isinstance(scene, Source) else scene
 
-            write_recording(part, rollouts, judgements)
-        elif part.suffix == ".png":
-            from studio.painter.picture import write_png
+    def _files(self, name: str, png: bool, mp4: bool) -> tuple[Path, ...]:
+        """The recording, and the pictures that are wanted beside it."""
+        suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
+        return tuple(self.out / f"{name}{suffix}" for suffix in suffixes)
 
-            write_png(part, rollouts, judgements)
+    def _paint(
+        self,
+        part: Path,
+        recording: Recording,
+        look: Look | None = None,
+        excerpt: Excerpt | None = None,
+    ) -> None:
+        """Paint a recording into a file, and tell how far a film is."""
+        from studio.pictures import Excerpt, Look, write_picture
+
+        look, excerpt = look or Look(), excerpt or Excerpt()
+        if part.suffix == ".png":
+            write_picture(part, recording, look, excerpt)
         else:
-            from studio.painter.film import write_film
-
             with self.progress.steps("film") as done:
-                write_film(part, rollouts, judgements, progress=done)
+                write_picture(part, recording, look, excerpt, done)
 
 
 def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:

@@ -6,7 +6,6 @@ page when all have been shown, and the film's last frame.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from studio.comparison import QUESTION, SIDES, Comparison
 from studio.dots import DotScale, Measure, measures
 from studio.framing import MARGIN, bounds_to_show
 from studio.naming import counted
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray, View
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
 from studio.painter.comparison_dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.painter.comparison_scene import OutcomeScene
 from studio.painter.labels import place
@@ -38,9 +37,9 @@ _DOTS = 150  # height of the room for dots, in units of the reference page
 _PITCH, _DOT_PITCH = 22, 15  # of icons and dots, at most, in units of the reference page
 
 
-def draw_comparison_picture(
+def compose_comparison_picture(
     comparison: Comparison, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
-) -> PixelArray:
+) -> Canvas:
     """Draw the picture of a comparison: all outcomes of two actions, side by side.
 
     Args:
@@ -49,35 +48,10 @@ def draw_comparison_picture(
         theme: of the page.
 
     Returns:
-        [height, width, 3], red, green, blue.
+        The canvas, which holds the pixels and knows where its texts are.
 
     Raises:
         InputError: if the size is not allowed.
-    """
-    return compose_comparison_picture(comparison, size, theme).pixels
-
-
-def write_comparison_png(
-    path: Path,
-    comparison: Comparison,
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-) -> None:
-    """Write the picture of a comparison as a PNG file; see `draw_comparison_picture`.
-
-    Raises:
-        InputError: if the size is not allowed.
-        RunError: if the file cannot be written.
-    """
-    compose_comparison_picture(comparison, size, theme).save(path)
-
-
-def compose_comparison_picture(
-    comparison: Comparison, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
-) -> Canvas:
-    """Draw the picture of a comparison and keep the canvas, which knows where its texts are.
-
-    Arguments and errors as for `draw_comparison_picture`.
     """
     page = lay_out(comparison, size, theme)
     show = Show(page)
@@ -129,7 +103,7 @@ class Page:
 
 
 def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
-    """Draw what all frames share; arguments and errors as for `draw_comparison_picture`."""
+    """Draw what all frames share; arguments and errors as for `compose_comparison_picture`."""
     rollouts = comparison.rollouts
     canvas = Canvas(*size, theme.of(comparison.actions))
     kind, unit = canvas.type, canvas.unit

@@ -5,15 +5,15 @@ The k-th outcome plays on both sides at once: the same people with the same luck
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from studio.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
+from studio.errors import InputError
 from studio.naming import counted
 from studio.painter.canvas import Canvas, FloatArray, PixelArray
 from studio.painter.comparison import Page, Show, compose_comparison_picture, lay_out
-from studio.painter.encode import Progress, Segment, check_film_size, write_mp4
+from studio.painter.encode import Segment
 from studio.palette import LIGHT, Theme
 
 MOST_PLAYED = 300
@@ -22,48 +22,37 @@ MOST_PLAYED = 300
 _SEGMENTS = 6  # that the outcomes are cut into; each costs a key frame and draws what came before
 
 
-def write_comparison_film(
-    path: Path,
-    comparison: Comparison,
-    size: tuple[int, int] = (1280, 720),
-    frames_per_second: int = 30,
-    theme: Theme = LIGHT,
-    progress: Progress | None = None,
-) -> None:
-    """Write the film of a comparison as an MP4 file (H.264).
-
-    The same arguments give the same bytes.
-
-    Args:
-        path: of the file, written exactly there.
-        comparison: of two actions.
-        size: width and height, px; even.
-        frames_per_second: whole.
-        theme: of the page.
-        progress: told after every frame how many of how many are done; called from other threads,
-            by one at a time.
-
-    Raises:
-        InputError: if the size is not allowed.
-        RunError: if the file cannot be written.
-    """
-    check_film_size(size)
-    film = compose_comparison_film(comparison, size, frames_per_second, theme)
-    write_mp4(path, film, size, frames_per_second, progress)
-
-
 def compose_comparison_film(
     comparison: Comparison,
     size: tuple[int, int],
     frames_per_second: int,
     theme: Theme = LIGHT,
+    span: tuple[float, float] | None = None,
 ) -> list[Segment]:
     """The film as segments: both scenes at rest, the outcomes in parts, and the closing picture.
 
-    Arguments and errors as for `write_comparison_film`.
+    A film that does not begin with the first outcome does not show the scenes at rest, and one that
+    does not run to the last has no closing picture.
+
+    Args:
+        comparison: of two actions.
+        size: width and height, px; even.
+        frames_per_second: whole.
+        theme: of the page.
+        span: from which outcome to which it plays, the first being 1; all of them if left out.
+
+    Raises:
+        InputError: if the size is not allowed, or there are no such outcomes.
     """
     page = lay_out(comparison, size, theme)
-    pace = Pace.of(comparison.rollouts.robot.shape[1], frames_per_second)
+    count = comparison.rollouts.robot.shape[1]
+    pace = Pace.of(count, frames_per_second)
+    first, last = span or (1, count)
+    turns = [turn for turn in range(pace.turns) if first <= pace.shown(turn) + 1 <= last]
+    if not 1 <= first <= last <= count or not turns:
+        raise InputError(
+            f"--from, --to: outcomes {first:g} to {last:g} are not allowed: within 1 to {count}"
+        )
     opening, ending = round(OPENING * frames_per_second), round(ENDING * frames_per_second)
 
     def at_rest() -> Iterator[PixelArray]:
@@ -74,14 +63,14 @@ def compose_comparison_film(
         pixels = compose_comparison_picture(comparison, size, theme).pixels
         return (pixels for _ in range(ending))
 
-    segments = [Segment(opening, at_rest)]
-    for part in np.array_split(np.arange(pace.turns), min(_SEGMENTS, pace.turns)):
+    segments = [Segment(opening, at_rest)] if first == 1 else []
+    for part in np.array_split(np.array(turns), min(_SEGMENTS, len(turns))):
 
-        def frames(first: int = int(part[0]), last: int = int(part[-1])) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play(page, pace, range(first, last + 1)))
+        def frames(part: range = range(part[0], part[-1] + 1)) -> Iterator[PixelArray]:
+            return (canvas.pixels for canvas in play(page, pace, part))
 
         segments.append(Segment(len(part) * pace.frames, frames))
-    return [*segments, Segment(ending, closing)]
+    return [*segments, Segment(ending, closing)] if last == count else segments
 
 
 @dataclass(frozen=True)

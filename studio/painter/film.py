@@ -8,20 +8,26 @@ under every action, so what differs between two actions is never chance.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from scenes import Rollouts
-from studio.framing import bounds_to_show
+from studio.errors import InputError
 from studio.judgements import Judgement
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray, PixelArray, View
-from studio.painter.encode import Progress, Segment, check_film_size, write_mp4
+from studio.painter.encode import Segment
 from studio.painter.film_crowd import Crowd
 from studio.painter.film_side import Side
 from studio.painter.labels import draw_labels
 from studio.painter.picture import compose_picture
-from studio.painter.stage import draw_goal, draw_ground, draw_scale_bar, draw_walls, goal_label
+from studio.painter.stage import (
+    draw_goal,
+    draw_ground,
+    draw_scale_bar,
+    draw_walls,
+    goal_label,
+    view_of,
+)
 from studio.painter.titles import display_name, subtitles, titles
 from studio.palette import LIGHT, Colour, Theme
 
@@ -35,41 +41,6 @@ ENDING = 2.5
 """How long the closing picture is shown, s."""
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
-_MARGIN, _GAP = 36, 36
-
-
-def write_film(
-    path: Path,
-    rollouts: Rollouts,
-    judgements: Sequence[Judgement],
-    size: tuple[int, int] = (1280, 720),
-    frames_per_second: int = 30,
-    theme: Theme = LIGHT,
-    codec: str = "h264",
-    progress: Progress | None = None,
-) -> None:
-    """Write the film of a scene as an MP4 file.
-
-    The same arguments give the same bytes.
-
-    Args:
-        path: of the file, written exactly there.
-        rollouts: of the scene under each action.
-        judgements: the teachers' values of these actions.
-        size: width and height, px; even.
-        frames_per_second: whole, 1 to 60.
-        theme: of the page.
-        codec: `h264` or `av1`.
-        progress: told after every frame how many of how many are done; called from other threads,
-            by one at a time.
-
-    Raises:
-        InputError: if the size, the number of frames or the codec is not allowed.
-        RunError: if the file cannot be written.
-    """
-    check_film_size(size)
-    film = compose_film(rollouts, judgements, size, frames_per_second, theme)
-    write_mp4(path, film, size, frames_per_second, codec, progress)
 
 
 def compose_film(
@@ -78,13 +49,31 @@ def compose_film(
     size: tuple[int, int],
     frames_per_second: int,
     theme: Theme = LIGHT,
+    span: tuple[float, float] | None = None,
 ) -> list[Segment]:
     """The film as segments: one an action, and the closing picture.
 
-    Arguments and errors as for `write_film`.
+    A film that does not run to the end of the rollouts has no closing picture.
+
+    Args:
+        rollouts: of the scene under each action.
+        judgements: the teachers' values of these actions.
+        size: width and height, px; even.
+        frames_per_second: whole.
+        theme: of the page.
+        span: from when to when it plays, s of simulated time; all of it if left out.
+
+    Raises:
+        InputError: if the size is not allowed, or there is no such span of time.
     """
     page = lay_out(rollouts, size, theme)
-    times = frame_times(rollouts.horizon, frames_per_second)
+    start, end = span or (0.0, rollouts.horizon)
+    if not 0.0 <= start < end <= rollouts.horizon:
+        raise InputError(
+            f"--from, --to: {start:g} to {end:g} s is not allowed: "
+            f"within 0 to {rollouts.horizon:g} s"
+        )
+    times = frame_times(start, end, play_speed(rollouts.horizon), frames_per_second)
     segments = []
     for index in range(len(rollouts.actions)):
 
@@ -92,6 +81,8 @@ def compose_film(
             return (canvas.pixels for canvas in play(page, rollouts, index, times))
 
         segments.append(Segment(len(times), frames))
+    if end < rollouts.horizon:
+        return segments
     held = round(ENDING * frames_per_second)
 
     def ending() -> Iterator[PixelArray]:
@@ -109,11 +100,18 @@ def play_speed(horizon: float) -> float:
     )
 
 
-def frame_times(horizon: float, frames_per_second: int) -> FloatArray:
-    """The simulated time of each frame of an action, s."""
-    steps = max(1, round(horizon / play_speed(horizon) * frames_per_second))
-    playing = np.linspace(0.0, horizon, steps + 1)
-    return np.concatenate([playing, np.full(round(PAUSE * frames_per_second), horizon)])
+def frame_times(start: float, end: float, speed: float, frames_per_second: int) -> FloatArray:
+    """The simulated time of each frame of an action, s, and its end once more for the pause.
+
+    Args:
+        start: s of simulated time.
+        end: s of simulated time.
+        speed: how many times faster than real time.
+        frames_per_second: of the film.
+    """
+    steps = max(1, round((end - start) / speed * frames_per_second))
+    playing = np.linspace(start, end, steps + 1)
+    return np.concatenate([playing, np.full(round(PAUSE * frames_per_second), end)])
 
 
 # The page
@@ -139,10 +137,10 @@ class Page:
 
 
 def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
-    """Draw what all frames share; arguments and errors as for `write_film`."""
+    """Draw what all frames share; arguments and errors as for `compose_film`."""
     canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
     kind, unit = canvas.type, canvas.unit
-    page = canvas.box.inset(_MARGIN * unit)
+    page = canvas.page
     title = canvas.fitted(titles(rollouts), page.width, kind.heading, SEMIBOLD)
     written = canvas.text(
         (page.left, page.top), title, kind.heading, canvas.theme.ink, SEMIBOLD, line="top"
@@ -156,9 +154,9 @@ def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> 
     top = written.bottom + 14 * unit
     strip = Box(page.left, page.bottom - strip_height, page.right, page.bottom)
     body = Box(page.left, top, page.right, strip.top - 14 * unit)
-    scene, side = body.columns((1076, 416), _GAP * unit)
+    scene, side = body.columns((1076, 416), canvas.gap)
     panel = Box(scene.left, scene.top, scene.right, scene.bottom - clock_height)
-    view = View.around(bounds_to_show(rollouts), panel)
+    view = view_of(rollouts, panel)
     inside = canvas.clipped(panel)
     draw_ground(inside, view)
     draw_walls(inside, view, rollouts.scene)

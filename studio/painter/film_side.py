@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.naming import number
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
 from studio.painter.film_crowd import between
 from studio.painter.plots import (
@@ -12,7 +13,6 @@ from studio.painter.plots import (
     draw_histogram,
     draw_icons,
     draw_ticks,
-    number,
     round_range,
     ticks,
 )
@@ -41,9 +41,10 @@ class Side:
             SEMIBOLD,
             line="top",
         )
+        driven, turned = (number(given, ".3g") for given in (action.speed, action.turn_rate))
         command = [
-            f"{number(action.speed)} m/s, turning {number(action.turn_rate)} rad/s",
-            f"{number(action.speed)} m/s, {number(action.turn_rate)} rad/s",
+            f"{driven} m/s, turning {turned} rad/s",
+            f"{driven} m/s, {turned} rad/s",
         ]
         below = canvas.text(
             (box.left, title.bottom + 4 * unit),

@@ -7,13 +7,12 @@ are predicted. A single teacher gets the page to himself, in two columns.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import pyarrow as pa
 
 from learners import Teacher
 from studio.naming import counted, number, teacher_name
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, PixelArray
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.learning_minds import draw_calibration, draw_parameters, draw_shapes
 from studio.painter.learning_plots import wrapped
 from studio.painter.learning_progress import draw_agreement, draw_regret
@@ -29,12 +28,12 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a page for one teacher that is so many times as wide as high gets two columns
 
 
-def draw_learning_picture(
+def compose_learning_picture(
     table: pa.Table,
     teachers: Sequence[Teacher],
     size: tuple[int, int] = SIZE,
     theme: Theme = LIGHT,
-) -> PixelArray:
+) -> Canvas:
     """Draw the picture of a study.
 
     Args:
@@ -44,39 +43,10 @@ def draw_learning_picture(
         theme: of the page.
 
     Returns:
-        [height, width, 3], red, green, blue.
+        The canvas, which holds the pixels and knows where its texts are.
 
     Raises:
         InputError: if the size is not allowed.
-    """
-    return compose_learning_picture(table, teachers, size, theme).pixels
-
-
-def write_learning_picture(
-    path: Path,
-    table: pa.Table,
-    teachers: Sequence[Teacher],
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-) -> None:
-    """Write the picture of a study as a PNG file; see `draw_learning_picture`.
-
-    Raises:
-        InputError: if the size is not allowed.
-        RunError: if the file cannot be written.
-    """
-    compose_learning_picture(table, teachers, size, theme).save(path)
-
-
-def compose_learning_picture(
-    table: pa.Table,
-    teachers: Sequence[Teacher],
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-) -> Canvas:
-    """Draw the picture of a study and keep the canvas, which knows where its texts are.
-
-    Arguments and errors as for `draw_learning_picture`.
     """
     results = Results.of(table, teachers)
     page = lay_out(results, size, theme)

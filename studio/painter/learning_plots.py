@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike
 
+from studio.naming import number
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
-from studio.painter.plots import number
 from studio.palette import Colour
 
 _BAND = 0.22

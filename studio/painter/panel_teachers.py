@@ -7,9 +7,9 @@ import numpy as np
 from learners import value, weight
 from scenes import Rollouts
 from studio.judgements import Judgement, utilities
-from studio.naming import teacher_name
+from studio.naming import number, teacher_name
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.plots import Axis, number, round_range, ticks
+from studio.painter.plots import Axis, round_range, ticks
 from studio.painter.titles import display_name
 from studio.palette import teacher_colour
 

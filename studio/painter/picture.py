@@ -6,12 +6,11 @@ to each teacher.
 """
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from scenes import Rollouts
 from studio.framing import bounds_to_show
 from studio.judgements import Judgement
-from studio.painter.canvas import Box, Canvas, PixelArray
+from studio.painter.canvas import Box, Canvas
 from studio.painter.panel_actions import ActionTable
 from studio.painter.panel_scene import draw_scene
 from studio.painter.panel_teachers import draw_teachers
@@ -24,12 +23,12 @@ SIZE = (1600, 900)
 _STACKED = 1.5  # where the upper part is less wide than so many times its height
 
 
-def draw_picture(
+def compose_picture(
     rollouts: Rollouts,
     judgements: Sequence[Judgement],
     size: tuple[int, int] = SIZE,
     theme: Theme = LIGHT,
-) -> PixelArray:
+) -> Canvas:
     """Draw the picture of a scene.
 
     Args:
@@ -39,39 +38,10 @@ def draw_picture(
         theme: of the page.
 
     Returns:
-        [height, width, 3], red, green, blue.
+        The canvas, which holds the pixels and knows where its texts are.
 
     Raises:
         InputError: if the size is not allowed.
-    """
-    return compose_picture(rollouts, judgements, size, theme).pixels
-
-
-def write_png(
-    path: Path,
-    rollouts: Rollouts,
-    judgements: Sequence[Judgement],
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-) -> None:
-    """Write the picture of a scene as a PNG file; see `draw_picture`.
-
-    Raises:
-        InputError: if the size is not allowed.
-        RunError: if the file cannot be written.
-    """
-    compose_picture(rollouts, judgements, size, theme).save(path)
-
-
-def compose_picture(
-    rollouts: Rollouts,
-    judgements: Sequence[Judgement],
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-) -> Canvas:
-    """Draw the picture of a scene and keep the canvas, which knows where its texts are.
-
-    Arguments and errors as for `draw_picture`.
     """
     canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
     unit, page = canvas.unit, canvas.page

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from studio.naming import number
 from studio.painter.canvas import Box, Canvas, FloatArray
 from studio.palette import Colour
 
@@ -59,11 +60,6 @@ def round_range(low: float, high: float) -> tuple[float, float]:
     steps = (power / 10, power / 5, power / 4, power / 2, power)
     step = next(step for step in steps if high - low <= 12 * step)
     return math.floor(low / step + 1e-6) * step, math.ceil(high / step - 1e-6) * step
-
-
-def number(value: float) -> str:
-    """A tick's label: as short as it is exact, with a true minus sign."""
-    return f"{value:g}".replace("-", "−")
 
 
 def signed(value: float) -> str:

@@ -38,11 +38,21 @@ def study_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("study")
     bank = folder / "bank.parquet"
     write_bank(bank, BankPlan(scenes=16, rollouts=8))
-    return Studio(folder).learn(bank, ("eu", "tk"), pairs=(10, 30), seeds=2).files[-1]
+    return Studio(folder).learn(bank, ("eu", "tk"), pairs=(10, 30), seeds=2).files[2]
+
+
+@pytest.fixture(scope="session")
+def comparison_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("comparison")
+    studio = Studio(folder)
+    compared = studio.compare("doorway", "forward", "stop", rollouts=5, png=False, mp4=False)
+    return compared.files[0]
 
 
 # a further kind of recording is a fixture like those above, and its name here
-@pytest.fixture(scope="session", params=["scene_recording", "study_recording"])
+@pytest.fixture(
+    scope="session", params=["scene_recording", "comparison_recording", "study_recording"]
+)
 def recording(request: pytest.FixtureRequest) -> Path:
     """A recording of each kind in turn."""
     path: Path = request.getfixturevalue(request.param)

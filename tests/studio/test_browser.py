@@ -24,7 +24,7 @@ from studio.headless import web_viewer
 from studio.orchestrator import Studio
 from studio.painter.encode import Segment, write_mp4
 from studio.painter.film import compose_film
-from studio.palette import ACTION_COLOURS, CONTACT, LEARNER_COLOURS, LIGHT, PEDESTRIAN, Colour
+from studio.palette import ACTION_COLOURS, LEARNER_COLOURS, LIGHT, Colour
 
 PATIENCE = 60.0
 
@@ -198,7 +198,8 @@ palette move by up to 18.
 
 PATCH = 80
 COLOURS = np.array(
-    [*ACTION_COLOURS, CONTACT, PEDESTRIAN, LIGHT.ground, LIGHT.panel, LIGHT.ink], np.uint8
+    [*ACTION_COLOURS, LIGHT.contact, LIGHT.pedestrian, LIGHT.ground, LIGHT.panel, LIGHT.ink],
+    np.uint8,
 )
 
 

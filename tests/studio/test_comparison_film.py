@@ -13,9 +13,7 @@ from studio.errors import InputError, RunError
 from studio.painter.canvas import Box, Canvas
 from studio.painter.comparison import (
     compose_comparison_picture,
-    draw_comparison_picture,
     lay_out,
-    write_comparison_png,
 )
 from studio.painter.comparison_dots import IconArray
 from studio.painter.comparison_film import (
@@ -23,8 +21,8 @@ from studio.painter.comparison_film import (
     compose_comparison_film,
     play,
     rest,
-    write_comparison_film,
 )
+from studio.painter.encode import write_mp4
 from studio.palette import DARK, LIGHT
 
 SIZE = (640, 360)
@@ -126,7 +124,7 @@ def test_both_sides_have_the_same_axes(comparison):
 
 
 def test_an_action_keeps_the_colour_that_it_has_among_all_actions(comparison):
-    pixels = draw_comparison_picture(comparison)
+    pixels = compose_comparison_picture(comparison).pixels
     names = list(comparison.actions)
     for side, action in enumerate(comparison.rollouts.actions):
         theme = LIGHT.of(names)
@@ -136,16 +134,18 @@ def test_an_action_keeps_the_colour_that_it_has_among_all_actions(comparison):
 
 def test_red_appears_if_and_only_if_something_was_touched(comparison):
     width = 1600
-    pixels = draw_comparison_picture(comparison, (width, 900))
+    pixels = compose_comparison_picture(comparison, (width, 900)).pixels
     assert red_pixels(pixels[:, : width // 2]) > 300
     assert red_pixels(pixels[:, width // 2 :]) == 0
 
 
 def test_the_png_shows_what_was_drawn_in_either_theme(comparison, tmp_path):
     for theme in (LIGHT, DARK):
-        write_comparison_png(tmp_path / "picture.png", comparison, (641, 361), theme)
+        compose_comparison_picture(comparison, (641, 361), theme).save(tmp_path / "picture.png")
         pixels = cv2.cvtColor(cv2.imread(str(tmp_path / "picture.png")), cv2.COLOR_BGR2RGB)
-        assert np.array_equal(pixels, draw_comparison_picture(comparison, (641, 361), theme))
+        assert np.array_equal(
+            pixels, compose_comparison_picture(comparison, (641, 361), theme).pixels
+        )
         assert 0.2 < (pixels == theme.ground).all(axis=-1).mean() < 0.95
 
 
@@ -197,7 +197,7 @@ def test_dots_of_every_outcome_find_room(count):
 @pytest.fixture(scope="module")
 def film(comparison, tmp_path_factory):
     path = tmp_path_factory.mktemp("film") / "film.mp4"
-    write_comparison_film(path, comparison, SIZE)
+    write_mp4(path, compose_comparison_film(comparison, SIZE, 30), SIZE, 30)
     with av.open(str(path)) as container:
         return path, [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
 
@@ -212,7 +212,7 @@ def drawn(comparison, frames_per_second=30):
 def test_the_film_rests_shows_every_outcome_and_ends_with_the_picture(comparison, film):
     frames = drawn(comparison)
     assert len(frames) == len(film[1]) == 18 + 5 * 60 + 90
-    picture = draw_comparison_picture(comparison, SIZE)
+    picture = compose_comparison_picture(comparison, SIZE).pixels
     for frame, decoded in list(zip(frames, film[1], strict=True))[-90::89]:
         np.testing.assert_array_equal(frame, picture)
         assert np.abs(decoded.astype(int) - picture).mean() < 2.0
@@ -222,7 +222,7 @@ def test_the_film_rests_shows_every_outcome_and_ends_with_the_picture(comparison
 
 
 def test_the_same_input_gives_the_same_bytes(comparison, film, tmp_path):
-    write_comparison_film(tmp_path / "again.mp4", comparison, SIZE)
+    write_mp4(tmp_path / "again.mp4", compose_comparison_film(comparison, SIZE, 30), SIZE, 30)
     assert (tmp_path / "again.mp4").read_bytes() == film[0].read_bytes()
 
 
@@ -280,6 +280,11 @@ def test_the_film_is_neither_too_fast_nor_too_long(count):
 
 def test_odd_sizes_are_refused_and_a_file_that_cannot_be_written_is_reported(comparison, tmp_path):
     with pytest.raises(InputError, match="641x361 pixels is not allowed"):
-        write_comparison_film(tmp_path / "film.mp4", comparison, (641, 361))
+        write_mp4(
+            tmp_path / "film.mp4",
+            compose_comparison_film(comparison, (641, 361), 30),
+            (641, 361),
+            30,
+        )
     with pytest.raises(RunError, match="cannot be written"):
-        write_comparison_png(tmp_path / "no" / "picture.png", comparison, SIZE)
+        compose_comparison_picture(comparison, SIZE).save(tmp_path / "no" / "picture.png")

@@ -9,9 +9,9 @@ from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, simulate
 from studio.errors import InputError, RunError
 from studio.judgements import judge
 from studio.painter.encode import Segment, write_mp4
-from studio.painter.film import compose_film, frame_times, lay_out, play, play_speed, write_film
+from studio.painter.film import compose_film, frame_times, lay_out, play, play_speed
 from studio.painter.film_crowd import Ghosts, Trails
-from studio.painter.picture import draw_picture
+from studio.painter.picture import compose_picture
 from studio.palette import LIGHT
 
 SIZE = (640, 360)
@@ -39,7 +39,7 @@ def default():
 @pytest.fixture(scope="module")
 def film(default, tmp_path_factory):
     path = tmp_path_factory.mktemp("film") / "film.mp4"
-    write_film(path, *default, SIZE)
+    write_mp4(path, compose_film(*default, SIZE, 30), SIZE, 30)
     return path
 
 
@@ -83,14 +83,14 @@ def test_the_film_plays_in_every_player(default, film):
 def test_the_film_has_every_frame_of_every_action_and_of_the_ending(default, film):
     rollouts, _ = default
     frames = decoded(film)
-    played = len(frame_times(rollouts.horizon, 30))
+    played = len(frame_times(0.0, rollouts.horizon, play_speed(rollouts.horizon), 30))
     assert played == 1 + round(rollouts.horizon * 30) + 15
     assert len(frames) == 2 * played + 75
 
 
 def test_every_action_begins_with_a_key_frame_to_jump_to(default, film):
     rollouts, _ = default
-    played = len(frame_times(rollouts.horizon, 30))
+    played = len(frame_times(0.0, rollouts.horizon, play_speed(rollouts.horizon), 30))
     with av.open(str(film)) as container:
         keys = [frame.pts for frame in container.decode(video=0) if frame.key_frame]
         step = round(1 / (30 * container.streams.video[0].time_base))
@@ -105,11 +105,11 @@ def test_decoded_colours_are_the_drawn_ones(default, film):
         assert away.mean() < 2.0
         # colours are stored for blocks of 2x2 pixels, so edges differ: look at flat ground
         assert np.abs(np.median(drawn_frame.astype(int) - frame, axis=(0, 1))).max() <= 1
-    assert np.abs(draw_picture(*default, SIZE).astype(int) - frames[-1]).mean() < 2.0
+    assert np.abs(compose_picture(*default, SIZE).pixels.astype(int) - frames[-1]).mean() < 2.0
 
 
 def test_the_same_input_gives_the_same_bytes(default, film, tmp_path):
-    write_film(tmp_path / "again.mp4", *default, SIZE)
+    write_mp4(tmp_path / "again.mp4", compose_film(*default, SIZE, 30), SIZE, 30)
     assert (tmp_path / "again.mp4").read_bytes() == film.read_bytes()
 
 
@@ -187,7 +187,7 @@ def test_trails_drawn_bit_by_bit_are_as_dark_as_drawn_at_once():
 @pytest.mark.parametrize("size", [(641, 360), (640, 361)])
 def test_odd_sizes_are_refused_in_one_line(default, tmp_path, size):
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
-        write_film(tmp_path / "film.mp4", *default, size)
+        write_mp4(tmp_path / "film.mp4", compose_film(*default, size, 30), size, 30)
     assert "\n" not in str(error.value)
     assert not (tmp_path / "film.mp4").exists()
 

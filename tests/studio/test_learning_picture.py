@@ -10,9 +10,7 @@ from learners import PROFILES, TEACHERS, Teacher
 from studio.errors import InputError, RunError
 from studio.painter.learning import (
     compose_learning_picture,
-    draw_learning_picture,
     lay_out,
-    write_learning_picture,
 )
 from studio.painter.learning_film import compose_learning_film, play
 from studio.painter.learning_results import Results
@@ -153,18 +151,20 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_png_has_the_size_asked_for_and_shows_something(tmp_path, size):
     path = tmp_path / "learning.png"
-    write_learning_picture(path, *case(), size)
+    compose_learning_picture(*case(), size).save(path)
     pixels = cv2.imread(str(path))
     assert pixels.shape == (size[1], size[0], 3)
     assert 0.2 < (pixels == LIGHT.ground).all(axis=-1).mean() < 0.9
 
 
 def test_every_learner_has_its_colour_and_none_that_of_contact():
-    pixels = draw_learning_picture(*case(learners=("eu", "cpt", "cpt-tied")))
+    pixels = compose_learning_picture(*case(learners=("eu", "cpt", "cpt-tied"))).pixels
     for learner in ("eu", "cpt", "cpt-tied"):
         assert has_colour(pixels, LEARNER_COLOURS[learner])
     assert not has_colour(pixels, LIGHT.contact)
-    assert not has_colour(draw_learning_picture(*case(learners=("eu",))), LEARNER_COLOURS["cpt"])
+    assert not has_colour(
+        compose_learning_picture(*case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
+    )
 
 
 def test_the_page_says_what_was_studied_and_names_lines_beside_them():
@@ -229,15 +229,15 @@ def test_of_too_many_teachers_it_says_how_many_are_shown():
 def test_the_same_table_gives_the_same_picture_in_silence():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        first, second = (draw_learning_picture(*case()) for _ in range(2))
+        first, second = (compose_learning_picture(*case()).pixels for _ in range(2))
     assert np.array_equal(first, second)
 
 
 def test_what_cannot_be_drawn_or_written_is_refused_in_one_line(tmp_path):
     with pytest.raises(InputError, match="size: 320x200"):
-        draw_learning_picture(*case(), (320, 200))
+        compose_learning_picture(*case(), (320, 200))
     with pytest.raises(RunError, match="cannot be written"):
-        write_learning_picture(tmp_path / "nowhere" / "learning.png", *case(), (640, 400))
+        compose_learning_picture(*case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
 
 
 # The film
@@ -297,14 +297,16 @@ def test_the_film_stands_at_every_number_of_pairs_and_ends_with_the_picture(name
     held = ENDING if len(sizes) == 1 else STANDING
     for frames in drawn:
         assert all(np.array_equal(frame, frames[-1]) for frame in frames[-held:])
-    assert np.array_equal(drawn[-1][-1], draw_learning_picture(table, teachers, FILM_SIZE))
+    assert np.array_equal(
+        drawn[-1][-1], compose_learning_picture(table, teachers, FILM_SIZE).pixels
+    )
 
 
 def test_a_study_without_fits_has_a_film_too():
     drawn, _ = frames_of(a_table().slice(0, 0), THREE)
     assert len(drawn) == 1
     assert np.array_equal(
-        drawn[0][-1], draw_learning_picture(a_table().slice(0, 0), THREE, FILM_SIZE)
+        drawn[0][-1], compose_learning_picture(a_table().slice(0, 0), THREE, FILM_SIZE).pixels
     )
 
 

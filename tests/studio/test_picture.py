@@ -10,7 +10,7 @@ from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, sim
 from studio.errors import InputError, RunError
 from studio.judgements import judge
 from studio.painter.film import lay_out, play
-from studio.painter.picture import compose_picture, draw_picture, write_png
+from studio.painter.picture import compose_picture
 from studio.palette import LIGHT, THEMES
 
 SIZES = [(640, 360), (1280, 720), (1600, 900), (3840, 2160), (1000, 1400)]
@@ -125,10 +125,12 @@ def test_texts_of_a_film_stay_on_the_page_and_off_one_another(name, size, theme)
 @pytest.mark.parametrize("size", SIZES)
 def test_the_png_has_the_size_asked_for_and_shows_something(default, tmp_path, size):
     path = tmp_path / "picture.png"
-    write_png(path, *default, size)
+    compose_picture(*default, size).save(path)
     pixels = cv2.imread(str(path))
     assert pixels.shape == (size[1], size[0], 3)
-    assert np.array_equal(cv2.cvtColor(pixels, cv2.COLOR_BGR2RGB), draw_picture(*default, size))
+    assert np.array_equal(
+        cv2.cvtColor(pixels, cv2.COLOR_BGR2RGB), compose_picture(*default, size).pixels
+    )
     empty = (pixels == LIGHT.ground).all(axis=-1).mean()
     assert 0.2 < empty < 0.95
 
@@ -182,12 +184,12 @@ def test_values_that_round_to_zero_have_no_sign(default):
 
 def test_red_appears_if_and_only_if_something_was_touched(default):
     rollouts, judgements = default
-    assert red_pixels(draw_picture(with_contacts(rollouts, -1), judgements)) == 0
-    assert red_pixels(draw_picture(with_contacts(rollouts, 3), judgements)) > 500
+    assert red_pixels(compose_picture(with_contacts(rollouts, -1), judgements).pixels) == 0
+    assert red_pixels(compose_picture(with_contacts(rollouts, 3), judgements).pixels) > 500
 
 
 def test_the_same_input_gives_the_same_picture(default):
-    assert np.array_equal(draw_picture(*default), draw_picture(*default))
+    assert np.array_equal(compose_picture(*default).pixels, compose_picture(*default).pixels)
 
 
 def test_a_table_too_long_for_the_page_says_how_many_actions_it_leaves_out():
@@ -199,12 +201,12 @@ def test_a_table_too_long_for_the_page_says_how_many_actions_it_leaves_out():
 
 
 def test_an_odd_size_is_fine_for_a_picture_but_a_tiny_one_is_not(default):
-    assert draw_picture(*default, (641, 361)).shape == (361, 641, 3)
+    assert compose_picture(*default, (641, 361)).pixels.shape == (361, 641, 3)
     with pytest.raises(InputError, match="size: 64x36 pixels is not allowed"):
-        draw_picture(*default, (64, 36))
+        compose_picture(*default, (64, 36))
 
 
 def test_a_file_that_cannot_be_written_is_reported_in_one_line(default, tmp_path):
     with pytest.raises(RunError, match="cannot be written") as error:
-        write_png(tmp_path / "no" / "picture.png", *default, (640, 360))
+        compose_picture(*default, (640, 360)).save(tmp_path / "no" / "picture.png")
     assert "\n" not in str(error.value)
