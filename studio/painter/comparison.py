@@ -12,7 +12,6 @@ import numpy as np
 from scenes import Rollouts
 from studio.comparison import QUESTION, SIDES, Comparison
 from studio.dots import DotScale, Measure, measures
-from studio.framing import MARGIN, bounds_to_show
 from studio.naming import counted
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
 from studio.painter.comparison_dots import DotPlot, IconArray, draw_dot_axis, has_dots
@@ -25,6 +24,7 @@ from studio.painter.stage import (
     draw_scale_bar,
     draw_walls,
     goal_label,
+    view_of,
 )
 from studio.painter.titles import display_name
 from studio.palette import LIGHT, Theme, contrast
@@ -32,7 +32,7 @@ from studio.palette import LIGHT, Theme, contrast
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
 
-_MARGIN, _GAP = 36, 48  # of the page and between its sides, in units of the reference page
+_GAP = 48  # between the sides, in units of the reference page
 _DOTS = 150  # height of the room for dots, in units of the reference page
 _PITCH, _DOT_PITCH = 22, 15  # of icons and dots, at most, in units of the reference page
 
@@ -107,7 +107,7 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     rollouts = comparison.rollouts
     canvas = Canvas(*size, theme.of(comparison.actions))
     kind, unit = canvas.type, canvas.unit
-    page = canvas.box.inset(_MARGIN * unit)
+    page = canvas.page
     top = _draw_title(canvas, page, rollouts) + 14 * unit
     columns = Box(page.left, top, page.right, page.bottom).columns([1.0, 1.0], _GAP * unit)
     head, line = 1.9 * kind.heading, 1.7 * kind.small
@@ -124,7 +124,7 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         panel = Box(column.left, top + head, column.right, scene_bottom)
-        view = _view(rollouts, panel)
+        view = view_of(rollouts, panel)
         _draw_stage(canvas, view, rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
         array = IconArray.fit(band, count, _PITCH * unit)
@@ -169,16 +169,6 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     text = canvas.fitted(display_name(name), box.right - left, kind.heading, SEMIBOLD)
     ink = theme.legible(colour)
     canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
-
-
-def _view(rollouts: Rollouts, panel: Box) -> View:
-    """The view of a scene in a panel, with the goal in it if that costs little of the scale."""
-    x0, y0, x1, y1 = bounds_to_show(rollouts)
-    view = View.around((x0, y0, x1, y1), panel)
-    x, y = rollouts.scene.robot.goal
-    with_goal = (min(x0, x - MARGIN), min(y0, y - MARGIN), max(x1, x + MARGIN), max(y1, y + MARGIN))
-    wider = View.around(with_goal, panel)
-    return wider if wider.scale > 0.85 * view.scale else view
 
 
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:

@@ -16,7 +16,16 @@ from studio.comparison import ENDING, MOVING, OPENING, seconds_each
 from studio.judgements import FloatArray
 from studio.palette import Theme, blend
 from studio.recorder import entities
-from studio.recorder.log_world import CONTACT_CLASS, PATH_STRIDE, crosses, rounded
+from studio.recorder.log_world import (
+    CONTACT_CLASS,
+    PATH_STRIDE,
+    arrowheads,
+    bar_style,
+    crosses,
+    group_bars,
+    rounded,
+    strips,
+)
 
 Number = TypeVar("Number", bound=np.generic)
 
@@ -80,21 +89,27 @@ def log_moving_robot(
 def log_moving_people(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
-    """Show the people."""
+    """Show the people, and bars that join those of a group."""
     path = f"{entities.story(rollouts.actions[side].name)}/pedestrians"
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
     places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
     style = rr.Points2D.from_fields(
         radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
     )
-    stream.log(path, style, static=True)
-    stream.send_columns(
-        path,
-        [moments(rollouts)],
-        rr.Points2D.columns(positions=rounded(places).reshape(-1, 2)).partition(
+    look: list[rr.AsComponents] = [style]
+    moving = [
+        *rr.Points2D.columns(positions=rounded(places).reshape(-1, 2)).partition(
             [places.shape[1]] * len(places)
-        ),
-    )
+        )
+    ]
+    if rollouts.scene.groups:
+        bars = group_bars(rounded(places), rollouts.scene.groups)  # (moments, bars, 2, 2)
+        look.append(bar_style(theme))
+        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
+            [bars.shape[1]] * len(bars)
+        )
+    stream.log(path, *look, static=True)
+    stream.send_columns(path, [moments(rollouts)], moving)
 
 
 def log_gathering_paths(
@@ -155,11 +170,3 @@ def story_times(seconds: FloatArray) -> rr.TimeColumn:
 def with_rest(rows: NDArray[Number], rest: NDArray[Number]) -> NDArray[Number]:
     """The rows of all shown steps between one row of rest and two, as `moments` has them."""
     return np.concatenate([rest[None], rows, rest[None], rest[None]])
-
-
-def arrowheads(poses: FloatArray) -> FloatArray:
-    """A bent line that shows where a robot at each pose [N, 3] faces, [N, 3, 2], m."""
-    angles = poses[:, 2:] + np.radians([140.0, 0.0, 220.0])
-    corners = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    heads: FloatArray = poses[:, None, :2] + 0.55 * ROBOT_RADIUS * corners
-    return heads

@@ -198,9 +198,7 @@ def log_pedestrians(
     ]
     if rollouts.scene.groups:
         bars = group_bars(people[:, 0], rollouts.scene.groups)  # (T+1, bars, 2, 2)
-        look.append(
-            rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
-        )
+        look.append(bar_style(theme))
         moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
             [bars.shape[1]] * times
         )
@@ -265,6 +263,12 @@ def arrowheads(poses: FloatArray) -> FloatArray:
         axis=-1,
     )
     return corners
+
+
+def bar_style(theme: Theme) -> rr.LineStrips2D:
+    """How the bars between people look; they lie below them."""
+    faint = blend(theme.pedestrian, theme.panel, 0.5)
+    return rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
 
 
 def group_bars(people: FloatArray, groups: tuple[tuple[int, ...], ...]) -> FloatArray:
