@@ -68,16 +68,18 @@ def test_mp4_films_say_what_their_colours_mean(tmp_path, codec, name):
 
 
 @pytest.mark.parametrize("codec", ["h264", "av1"])
-def test_mp4_films_show_every_frame_as_it_was_drawn(tmp_path, codec):
-    write_mp4(tmp_path / "film.mp4", film(), SIZE, 25, codec)
+@pytest.mark.parametrize("size", [(160, 96), (162, 94)])
+def test_mp4_films_show_every_frame_as_it_was_drawn(tmp_path, codec, size):
+    write_mp4(tmp_path / "film.mp4", film(size), size, 25, codec)
     frames, times = decoded(tmp_path / "film.mp4")
     assert times == pytest.approx([index / 25 for index in range(34)])
-    for original, frame in zip(drawn(film()), frames, strict=True):
+    for original, frame in zip(drawn(film(size)), frames, strict=True):
         away = np.abs(original.astype(int) - frame)
         assert away.mean() < 2.0
         # colours are stored for blocks of 2x2 pixels, so edges differ: look at flat ground
         for rows, columns in (FLAT_BLUE, FLAT_WHITE, FLAT_GREY):
-            assert away[rows, columns].max() <= 4
+            assert away[rows, columns].mean() < 1.0
+            assert away[rows, columns].max() <= 8
 
 
 @pytest.mark.parametrize("codec", ["h264", "av1"])
