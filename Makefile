@@ -22,6 +22,7 @@ slow: $(VENV)/installed
 benchmark: $(VENV)/installed
 	$(RUN)/python benchmarks/engine.py
 	$(RUN)/python benchmarks/commands.py
+	$(RUN)/python benchmarks/drawing.py
 	$(RUN)/python benchmarks/learning.py
 
 pictures: $(VENV)/installed

@@ -139,14 +139,14 @@ def write_mp4(
         nonlocal done
         encoder = form.encoder()
         planes = np.empty((size[1] * 3 // 2, size[0]), np.uint8)
-        # encoders copy what they are given, so one frame serves for all
-        frame = av.VideoFrame.from_numpy_buffer(planes, format="yuv420p")
         packets: list[VideoPacket] = []
         try:
             for index, pixels in enumerate(segment.frames()):
                 if stopped.is_set():
                     break
                 cv2.cvtColor(pixels, cv2.COLOR_RGB2YUV_I420, dst=planes)
+                # from_numpy_buffer would misplace colours unless the height is a multiple of 4
+                frame = av.VideoFrame.from_ndarray(planes, format="yuv420p")
                 frame.pts = index
                 packets += encoder.encode(frame)
                 with lock:

@@ -19,6 +19,9 @@ from studio.recorder.log_outcomes import comparison_bounds, distributions_bounds
 from studio.recorder.log_prospects import prospects_bounds
 from studio.recorder.log_ranks import ranks_bounds
 
+VIEW_SHAPE = (16, 9)
+"""Shape that views of the world have on a common screen, width and height."""
+
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
     """The tabs of a recording: overview, one an action, prospects, minds, about."""

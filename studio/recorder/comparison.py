@@ -11,12 +11,12 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from studio.comparison import QUESTION, SIDES, Comparison
-from studio.framing import bounds_to_show
+from studio.framing import bounds_of_shape
 from studio.judgements import Judgement
 from studio.naming import counted, short
 from studio.palette import LIGHT
 from studio.recorder import entities
-from studio.recorder.blueprint import drawn_view, page_view, world_view
+from studio.recorder.blueprint import VIEW_SHAPE, drawn_view, page_view, world_view
 from studio.recorder.comparison_dots import BOUNDS, log_dots
 from studio.recorder.comparison_page import comparison_page
 from studio.recorder.comparison_story import log_story
@@ -91,7 +91,7 @@ def story_side(comparison: Comparison, side: int) -> rrb.Container:
     fixed = [entities.GRID, entities.WALLS, entities.TASK]
     world = drawn_view(
         [*fixed, f"{story}/**"],
-        bounds_to_show(rollouts),
+        bounds_of_shape(rollouts, *VIEW_SHAPE),
         f"{SIDES[side]}: {short(name)} (grid of 1 m)",
         gathering=[f"{story}/paths"],
     )
@@ -105,4 +105,6 @@ def whole_side(comparison: Comparison, side: int) -> rrb.View:
     rollouts = comparison.rollouts
     name = rollouts.actions[side].name
     title = f"{SIDES[side]}: {short(name)}, all at once; they move along the timeline sim_time"
-    return world_view([f"{entities.action(name)}/**"], bounds_to_show(rollouts), title)
+    return world_view(
+        [f"{entities.action(name)}/**"], bounds_of_shape(rollouts, *VIEW_SHAPE), title
+    )

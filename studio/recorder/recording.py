@@ -14,12 +14,12 @@ import rerun as rr
 import tomli_w
 
 from scenes import Rollouts, scene_to_toml
-from studio.framing import bounds_to_show
+from studio.framing import bounds_of_shape
 from studio.judgements import Judgement
 from studio.palette import LIGHT, Theme
 from studio.recorder import entities
 from studio.recorder.about import about_page, disagreements_page, summary_page
-from studio.recorder.blueprint import recording_blueprint
+from studio.recorder.blueprint import VIEW_SHAPE, recording_blueprint
 from studio.recorder.drawing import log_ground
 from studio.recorder.log_minds import log_curves, log_judgements
 from studio.recorder.log_outcomes import (
@@ -51,7 +51,7 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     Raises:
         OSError: if the file cannot be written.
     """
-    bounds = bounds_to_show(rollouts)
+    bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
     versions = package_versions()
     theme = LIGHT.of(action.name for action in rollouts.actions)
@@ -76,7 +76,7 @@ def log_simulation(
     """Keep what was simulated and judged: all that a scene is read back from."""
     log_properties(stream, rollouts, judgements, versions)
     log_ground(stream, entities.GROUND)
-    log_scene(stream, rollouts, bounds_to_show(rollouts), theme)
+    log_scene(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
     for index in range(len(rollouts.actions)):
         log_action(stream, rollouts, index, theme)
     if rollouts.scene.pedestrians:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, simulate
-from studio.errors import InputError, RunError
+from studio.errors import InputError
 from studio.judgements import judge
-from studio.painter.encode import Segment, write_mp4
+from studio.painter.encode import write_mp4
 from studio.painter.film import compose_film, frame_times, lay_out, play, play_speed
 from studio.painter.film_crowd import Ghosts, Trails
 from studio.painter.picture import compose_picture
@@ -190,30 +190,3 @@ def test_odd_sizes_are_refused_in_one_line(default, tmp_path, size):
         write_mp4(tmp_path / "film.mp4", compose_film(*default, size, 30), size, 30)
     assert "\n" not in str(error.value)
     assert not (tmp_path / "film.mp4").exists()
-
-
-def test_progress_counts_every_frame(default, tmp_path):
-    told = []
-    frame = np.zeros((360, 640, 3), np.uint8)
-    segments = [Segment(3, lambda: iter([frame] * 3)), Segment(2, lambda: iter([frame] * 2))]
-    write_mp4(
-        tmp_path / "film.mp4", segments, SIZE, 30, progress=lambda *counts: told.append(counts)
-    )
-    assert told == [(done, 5) for done in range(1, 6)]
-
-
-def test_a_failure_while_drawing_comes_through_and_leaves_no_film(tmp_path):
-    def frames():
-        yield np.zeros((360, 640, 3), np.uint8)
-        raise ZeroDivisionError
-
-    with pytest.raises(ZeroDivisionError):
-        write_mp4(tmp_path / "film.mp4", [Segment(2, frames)] * 3, SIZE, 30)
-    assert not (tmp_path / "film.mp4").exists()
-
-
-def test_a_film_that_cannot_be_written_is_reported_in_one_line(tmp_path):
-    segment = Segment(1, lambda: iter([np.zeros((360, 640, 3), np.uint8)]))
-    with pytest.raises(RunError, match="cannot be written") as error:
-        write_mp4(tmp_path / "no" / "film.mp4", [segment], SIZE, 30)
-    assert "\n" not in str(error.value)
