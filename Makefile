@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 RUN := $(VENV)/bin
 
-.PHONY: record test lint slow benchmark pictures clean
+.PHONY: record test lint slow benchmark gallery clean
 
 record: $(VENV)/installed
 	$(RUN)/studio record --scene doorway
@@ -25,8 +25,8 @@ benchmark: $(VENV)/installed
 	$(RUN)/python benchmarks/drawing.py
 	$(RUN)/python benchmarks/learning.py
 
-pictures: $(VENV)/installed
-	$(RUN)/python docs/make_pictures.py
+gallery: $(VENV)/installed
+	$(RUN)/python docs/make_gallery.py
 
 clean:
 	rm -rf $(VENV)

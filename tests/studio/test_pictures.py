@@ -1,0 +1,258 @@
+"""Pictures and films are painted from recordings alone."""
+
+import lzma
+from pathlib import Path
+
+import av
+import cv2
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+from click.testing import CliRunner, Result
+
+from studio.cli import main
+from studio.errors import InputError, RunError
+from studio.orchestrator import Studio
+from studio.painter.learning import compose_learning_picture
+from studio.palette import ACTION_COLOURS, DARK, LIGHT
+from studio.pictures import Excerpt, Look, compose_still, write_picture
+from studio.recorder.read import read_recording
+
+DATA = Path(__file__).parent / "data"
+SMALL = Look(size=(640, 360), frames_per_second=10)
+QUICK = ("--size", "640x360", "--fps", "10")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recorded scene with its picture and film, and a comparison."""
+    out = tmp_path_factory.mktemp("recorded")
+    Studio(out).record("doorway", rollouts=4, horizon=1.0)
+    Studio(out).compare("doorway", "forward", "stop", rollouts=4, horizon=1.0)
+    return out
+
+
+def render(*arguments: str | Path) -> Result:
+    return CliRunner().invoke(main, ["render", *map(str, arguments)])
+
+
+def size_of(path: Path) -> tuple[int, int]:
+    if path.suffix == ".png":
+        height, width, _ = cv2.imread(str(path)).shape
+        return width, height
+    with av.open(str(path)) as film:
+        stream = film.streams.video[0]
+        return stream.width, stream.height
+
+
+def frames_of(path: Path) -> list[np.ndarray]:
+    with av.open(str(path)) as film:
+        return [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
+
+
+def has_colour(path: Path, colour: tuple[int, int, int]) -> bool:
+    return bool((cv2.imread(str(path))[..., ::-1] == colour).all(axis=-1).any())
+
+
+def test_a_recording_is_painted_again_byte_by_byte(folder: Path, tmp_path: Path) -> None:
+    for name in ("doorway", "doorway-forward-stop"):
+        files = [tmp_path / f"{name}.png", tmp_path / f"{name}.mp4"]
+        Studio().render(folder / f"{name}.rrd", *files)
+        for file in files:
+            assert file.read_bytes() == (folder / file.name).read_bytes()
+
+
+def test_left_to_itself_it_writes_a_picture_and_a_film_beside_the_recording(
+    folder: Path, tmp_path: Path
+) -> None:
+    recording = tmp_path / "mine.rrd"
+    recording.write_bytes((folder / "doorway.rrd").read_bytes())
+    result = render(recording, *QUICK)
+    assert result.exit_code == 0, result.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.mp4", "mine.png", "mine.rrd"]
+    for name in ("mine.png", "mine.mp4"):
+        assert size_of(tmp_path / name) == (640, 360)
+        assert name in result.stdout
+
+
+@pytest.mark.parametrize("name", ["doorway", "doorway-forward-stop"])
+def test_every_kind_of_file_can_be_painted(name: str, folder: Path, tmp_path: Path) -> None:
+    files = {kind: tmp_path / f"x.{kind}" for kind in ("png", "mp4", "gif")}
+    options = [part for kind, path in files.items() for part in (f"--{kind}", path)]
+    result = render(folder / f"{name}.rrd", *options, *QUICK, "--theme", "dark")
+    assert result.exit_code == 0, result.stderr
+    for path in files.values():
+        assert size_of(path) == (640, 360)
+    assert has_colour(files["png"], DARK.ground)
+    assert not has_colour(files["png"], LIGHT.ground)
+
+
+def test_a_film_can_be_av1(folder: Path, tmp_path: Path) -> None:
+    options = ("--actions", "stop", "--codec", "av1", *QUICK)
+    result = render(folder / "doorway.rrd", "--mp4", tmp_path / "x.mp4", *options)
+    assert result.exit_code == 0, result.stderr
+    with av.open(str(tmp_path / "x.mp4")) as film:
+        assert film.streams.video[0].codec_context.name in ("av1", "libdav1d")
+        assert len(list(film.decode(video=0))) > 10
+
+
+def test_some_actions_keep_the_colours_that_they_have_among_all(
+    folder: Path, tmp_path: Path
+) -> None:
+    picture = tmp_path / "x.png"
+    result = render(folder / "doorway.rrd", "--png", picture, "--actions", "turn_left,stop")
+    assert result.exit_code == 0, result.stderr
+    shown = [has_colour(picture, colour) for colour in ACTION_COLOURS]
+    assert shown == [False, False, True, True, False, False, False]
+    recording = read_recording(folder / "doorway.rrd")
+    texts = [placed.text for placed in compose_still(recording, Look(), Excerpt(("stop",))).texts]
+    assert "stop" in texts
+    assert "turn left" not in texts
+
+
+def test_a_film_can_be_cut_to_a_span_of_simulated_time(folder: Path, tmp_path: Path) -> None:
+    def frames(*options: str) -> int:
+        path = tmp_path / "x.mp4"
+        assert render(folder / "doorway.rrd", "--mp4", path, *QUICK, *options).exit_code == 0
+        return len(frames_of(path))
+
+    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 2.5 s
+    assert whole == 11 + 5 + 25
+    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 25
+    assert frames("--actions", "stop", "--from", "0.2", "--to", "0.7") == 6 + 5
+
+
+def test_the_film_of_a_comparison_can_be_cut_to_some_outcomes(folder: Path, tmp_path: Path) -> None:
+    path, recording = tmp_path / "x.mp4", folder / "doorway-forward-stop.rrd"
+    assert render(recording, "--mp4", path, *QUICK, "--from", "2", "--to", "3").exit_code == 0
+    assert len(frames_of(path)) == 2 * 20
+    assert render(recording, "--mp4", path, *QUICK, "--from", "9").exit_code == 2
+
+
+def test_a_study_is_painted_as_its_table(study_recording: Path, tmp_path: Path) -> None:
+    result = render(
+        study_recording, "--png", tmp_path / "x.png", "--mp4", tmp_path / "x.mp4", "--fps", "5"
+    )
+    assert result.exit_code == 0, result.stderr
+    drawn = (study_recording.parent / "learning.png").read_bytes()
+    assert (tmp_path / "x.png").read_bytes() == drawn
+    frames = frames_of(tmp_path / "x.mp4")
+    assert frames[0].shape == (800, 1280, 3)
+    assert not np.array_equal(frames[0], frames[-1])
+
+
+def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> None:
+    recording = read_recording(study_recording)
+    cut = compose_still(recording, Look(), Excerpt(end=10)).pixels
+    table = pq.read_table(study_recording.with_suffix(".parquet"))
+    of_ten = table.filter(table["pairs"].to_numpy() <= 10)
+    expected = compose_learning_picture(of_ten, recording.teachers).pixels
+    assert np.array_equal(cut, expected)
+    with pytest.raises(InputError, match="11 to 29 pairs are not allowed: some of 10, 30"):
+        compose_still(recording, Look(), Excerpt(start=11, end=29))
+
+
+@pytest.mark.parametrize("name", ["scene-edition-1", "learning-edition-1"])
+def test_recordings_of_an_older_edition_are_painted(name: str, tmp_path: Path) -> None:
+    recording = tmp_path / "old.rrd"
+    recording.write_bytes(lzma.decompress((DATA / f"{name}.rrd.xz").read_bytes()))
+    result = render(recording, "--fps", "5")
+    assert result.exit_code == 0, result.stderr
+    assert cv2.imread(str(tmp_path / "old.png")).std() > 5.0
+    assert len(frames_of(tmp_path / "old.mp4")) > 10
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ("--actions fly", "'fly' is not there: forward, slow_down, stop"),
+        ("--actions stop,stop", "each can be taken once"),
+        ("--size 641x360", "641x360 pixels is not allowed"),
+        ("--size 12x9", "12x9 pixels is not allowed"),
+        ("--size 99999x99998", "99999x99998 pixels is not allowed"),
+        ("--size big", "'big' is not a size: two whole numbers, WxH"),
+        ("--fps 0", "0 is not allowed: a whole number, 1 to 60"),
+        ("--theme pink", "'pink' is not one of 'light', 'dark'"),
+        ("--codec vp9", "'vp9' is not one of 'h264', 'av1'"),
+        ("--from 0.7 --to 0.2", "0.7 to 0.2 s is not allowed: within 0 to 1 s"),
+        ("--to 9", "0 to 9 s is not allowed"),
+        ("--png x.jpg", "x.jpg: a name that ends in .png is needed"),
+        ("--png x.png --from 0.5", "--from, --to: go with a film"),
+    ],
+)
+def test_what_cannot_be_painted_is_refused_in_one_line(
+    options: str, said: str, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    recording = tmp_path / "doorway.rrd"
+    recording.write_bytes((folder / "doorway.rrd").read_bytes())
+    result = render(recording, *options.split())
+    assert result.exit_code == 2, result.exception
+    assert result.stderr.count("\n") == 1
+    assert said in result.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["doorway.rrd"]
+
+
+@pytest.mark.parametrize("options", [(), ("--actions", "stop")])
+def test_actions_go_with_scenes_only(
+    options: tuple[str, ...], study_recording: Path, tmp_path: Path
+) -> None:
+    result = render(study_recording, "--png", tmp_path / "x.png", *options)
+    assert result.exit_code == (2 if options else 0)
+    assert (tmp_path / "x.png").exists() != bool(options)
+
+
+def test_an_old_picture_survives_a_full_disk(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "x.png").write_text("old")
+    (tmp_path / "x.mp4").write_text("old")
+
+    def full(path: Path, *_arguments: object) -> None:
+        raise RunError(f"{path}: cannot be written: No space left on device")
+
+    monkeypatch.setattr("studio.pictures.write_mp4", full)
+    result = render(
+        folder / "doorway.rrd", "--png", tmp_path / "x.png", "--mp4", tmp_path / "x.mp4", *QUICK
+    )
+    assert result.exit_code == 1
+    assert "No space left" in result.stderr
+    assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}
+
+
+def test_a_codec_that_is_not_there_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("studio.painter.encode._is_present", lambda name: name == "libx264")
+    with pytest.raises(InputError, match="codec: 'av1' is not part of this PyAV: h264"):
+        Look(codec="av1")
+
+
+def test_other_endings_are_refused(folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"x\.webm: is not allowed: a name that ends in \.png"):
+        Studio().render(folder / "doorway.rrd", tmp_path / "x.webm")
+    with pytest.raises(InputError, match=r"x\.webm: is not allowed"):
+        write_picture(tmp_path / "x.webm", read_recording(folder / "doorway.rrd"), SMALL)
+
+
+def test_compare_says_which_action_is_on_which_side(tmp_path: Path) -> None:
+    arguments = ["compare", "--scene", "open", "stop", "forward", "--rollouts", "3"]
+    arguments += ["--horizon", "0.5", "--no-mp4", "--out", str(tmp_path)]
+    result = CliRunner().invoke(main, arguments)
+    assert result.exit_code == 0, result.stderr
+    read = read_recording(tmp_path / "open-stop-forward.rrd")
+    for side, action in zip("AB", read.comparison.rollouts.actions, strict=True):
+        assert f"{side}  {action.name}" in result.stdout
+    assert (tmp_path / "open-stop-forward.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("actions", "said"),
+    [(("forward", "fly"), "'fly' is not there"), (("stop", "stop"), "'stop' twice")],
+)
+def test_compare_refuses_actions_that_are_not_two(
+    actions: tuple[str, str], said: str, tmp_path: Path
+) -> None:
+    arguments = ["compare", "--scene", "open", *actions, "--out", str(tmp_path / "out")]
+    result = CliRunner().invoke(main, arguments)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert not (tmp_path / "out").exists()
