@@ -78,7 +78,7 @@ def test_mp4_films_show_every_frame_as_it_was_drawn(tmp_path, codec, size):
         assert away.mean() < 2.0
         # colours are stored for blocks of 2x2 pixels, so edges differ: look at flat ground
         for rows, columns in (FLAT_BLUE, FLAT_WHITE, FLAT_GREY):
-            assert away[rows, columns].max() <= 8
+            assert away[rows, columns].mean() < 2.0
 
 
 @pytest.mark.parametrize("codec", ["h264", "av1"])
