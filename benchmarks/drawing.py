@@ -1,4 +1,4 @@
-"""How fast films, animations and recordings are made, and how much faster than pysocialforce's own.
+"""How fast films and recordings are made and shown, beside pysocialforce's own animation.
 
 The peer is the animation of pysocialforce (its `SceneVisualizer`, on matplotlib) of the same
 rollouts at the same size: people, groups and walls as it draws them, the robot as one more person,
@@ -29,6 +29,7 @@ from matplotlib.patches import Circle
 import scenes.reference  # noqa: F401  # imports pysocialforce, quietly and without matplotlib
 from scenes import META_ACTIONS, Rollouts, load_scene, simulate
 from scenes.scene import PEDESTRIAN_RADIUS
+from studio.headless import headless_viewer
 from studio.judgements import Judgement, judge
 from studio.painter.encode import write_gif, write_mp4
 from studio.painter.film import compose_film
@@ -155,6 +156,15 @@ def film(
     return sum(segment.length for segment in segments)
 
 
+def shown(recording: Path) -> tuple[float, float]:
+    """When the viewer has loaded a recording, and when it has drawn it, s after its start."""
+    start = time.perf_counter()
+    with headless_viewer(recording, SIZE) as viewer:
+        loaded = time.perf_counter() - start
+        viewer.client.take_screenshot()
+        return loaded, time.perf_counter() - start
+
+
 def main() -> None:
     """Print each figure beside what is wanted."""
     rollouts = simulate(load_scene("doorway", seed=0), META_ACTIONS, rollouts=50, seed=0)
@@ -205,6 +215,11 @@ def main() -> None:
             write_recording(recording, rollouts, judgements)
             taken.append(time.perf_counter() - start)
         print(f"recording: {median(taken):.2f} s (wanted: 0.3 s)")
+        loaded, drawn = (median(times) for times in zip(*(shown(recording) for _ in range(3))))
+        print(
+            f"viewer: first frame {drawn - loaded:.2f} s after loading (wanted: 2 s), "
+            f"{drawn:.2f} s after its start; drawn by the processor where there is no graphics card"
+        )
 
 
 if __name__ == "__main__":

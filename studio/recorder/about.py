@@ -91,17 +91,6 @@ def about_page(
         **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
         **{f"version: {name}": given for name, given in versions.items()},
     }
-    usual = asdict(Noise())
-    shaken = "".join(
-        f" --noise {name}={given!r}"
-        for name, given in asdict(rollouts.noise).items()
-        if given != usual[name]
-    )
-    command = (
-        f"studio record --scene {scene.name}.toml --seed {rollouts.seed} --rollouts {count} "
-        f"--horizon {rollouts.horizon:g} --model {rollouts.model} --engine {rollouts.engine}"
-        f"{shaken}"
-    )
     return "\n".join(
         [
             f"# {scene.name}",
@@ -167,7 +156,7 @@ def about_page(
             f"Save the scene below as `{scene.name}.toml`, then run",
             "",
             "```sh",
-            command,
+            f"studio record {simulation_options(rollouts)}",
             "```",
             "",
             "| setting | value |",
@@ -184,6 +173,21 @@ def about_page(
             scene_to_toml(scene).rstrip(),
             "```",
         ]
+    )
+
+
+def simulation_options(rollouts: Rollouts) -> str:
+    """The options with which a command simulates the same again, given the scene as a file."""
+    usual = asdict(Noise())
+    shaken = "".join(
+        f" --noise {name}={given!r}"
+        for name, given in asdict(rollouts.noise).items()
+        if given != usual[name]
+    )
+    return (
+        f"--scene {rollouts.scene.name}.toml --seed {rollouts.seed} "
+        f"--rollouts {rollouts.robot.shape[1]} --horizon {rollouts.horizon:g} "
+        f"--model {rollouts.model} --engine {rollouts.engine}{shaken}"
     )
 
 

@@ -5,7 +5,7 @@ from studio.comparison import QUESTION, SIDES, Comparison
 from studio.judgements import Judgement
 from studio.naming import counted, number
 from studio.recorder import entities
-from studio.recorder.about import outcome_table
+from studio.recorder.about import outcome_table, simulation_options
 
 
 def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -> str:
@@ -46,16 +46,15 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
             "",
             "## Make it again",
             "",
-            "| setting | value |",
-            "|:--|:--|",
-            f"| seed | {rollouts.seed} |",
-            f"| seed of the sides | {comparison.seed} |",
-            f"| rollouts | {count} |",
-            f"| horizon | {rollouts.horizon:g} s in steps of {rollouts.dt:g} s |",
-            f"| model | {rollouts.model} |",
-            f"| engine | {rollouts.engine} |",
+            f"Save the scene below as `{scene.name}.toml`, then run",
             "",
-            "All other settings are properties of the recording. The scene:",
+            "```sh",
+            f"studio compare {comparison.left.name} {comparison.right.name} "
+            f"{simulation_options(rollouts)}",
+            "```",
+            "",
+            f"The seed also chooses the sides, here {comparison.seed}. All other settings are "
+            "properties of the recording.",
             "",
             "```toml",
             scene_to_toml(scene).rstrip(),
