@@ -215,7 +215,9 @@ def main() -> None:
             write_recording(recording, rollouts, judgements)
             taken.append(time.perf_counter() - start)
         print(f"recording: {median(taken):.2f} s (wanted: 0.3 s)")
-        loaded, drawn = (median(times) for times in zip(*(shown(recording) for _ in range(3))))
+        loaded, drawn = (
+            median(times) for times in zip(*(shown(recording) for _ in range(3)), strict=True)
+        )
         print(
             f"viewer: first frame {drawn - loaded:.2f} s after loading (wanted: 2 s), "
             f"{drawn:.2f} s after its start; drawn by the processor where there is no graphics card"
