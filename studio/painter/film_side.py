@@ -31,6 +31,7 @@ class Side:
             canvas.theme.action_colour(rollouts.actions[index].name),
         )
         self._contact_step = rollouts.contact_step[index]
+        self._last = rollouts.robot.shape[2] - 1
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         name = canvas.fitted(display_name(action.name), box.width, kind.title, SEMIBOLD)
         title = canvas.text(
@@ -68,12 +69,12 @@ class Side:
         """Draw what has happened up to a step."""
         canvas, kind, count = self._canvas, self._canvas.type, len(self._contact_step)
         contact = (self._contact_step >= 0) & (self._contact_step <= step)
-        touched = int(contact.sum())
+        touched, so_far = int(contact.sum()), " so far" if step < self._last else ""
         canvas.restore(still, self._count.inset(-0.15 * kind.title))
         canvas.text(
             (self._count.left, self._count.top),
             canvas.fitted(
-                [f"{touched} of {count} contact", f"{touched} of {count}"],
+                [f"{touched} of {count} contact{so_far}", f"{touched} of {count}{so_far}"],
                 self._count.width,
                 kind.title,
                 SEMIBOLD,

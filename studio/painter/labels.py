@@ -5,17 +5,27 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from studio.painter.canvas import Box, Canvas, FloatArray, Point
 from studio.palette import Colour
 
 _DIRECTIONS = 24
-_RINGS = (0.0, 0.6, 1.2, 2.0, 3.0, 4.5, 6.5)  # distance from the thing, in heights of the label
-_COST_OF_INK = 30.0  # a label wholly on solid ink is as bad as this many heights of distance
-_COST_OF_COVERING = 5.0  # heights; a label that lies on a line which must be seen
+_RINGS = (
+    0.0,
+    0.3,
+    0.6,
+    1.0,
+    1.5,
+    2.0,
+    3.0,
+    4.5,
+)  # distance from the thing, in heights of the label
+_COST_OF_INK = 12.0  # a label wholly on ink is as bad as this many heights of distance
+_COST_OF_SOLID_INK = 30.0  # and as this many more if the ink is as dark as text
+_SOLID = 0.6  # of black; what is drawn fainter can be written over
+_COST_OF_COVERING = 2.0  # heights; a label that lies on a line which must be seen
 _COST_OF_TURNING = 0.5  # heights; a label that is not where its thing points to
-_COST_OF_CONFUSION = 8.0  # heights; a label that lies nearer to another thing than to its own
+_COST_OF_CONFUSION = 15.0  # heights; a label that lies nearer to another thing than to its own
 
 
 @dataclass(frozen=True)
@@ -96,7 +106,9 @@ def place(
     Returns:
         A box for each label, or None where there is no room.
     """
-    ink = _Ink(canvas.clipped(area), ground)
+    part = canvas.clipped(area)
+    away = np.abs(part.pixels.astype(np.int16) - np.array(ground, np.int16)).max(axis=-1) / 255.0
+    ink, solid = _Ink(part, away), _Ink(part, (away > _SOLID).astype(np.float64))
     places: list[Box | None] = []
     for label in labels:
         width = canvas.measure(label.text, label.size, label.weight) + 0.2 * label.size
@@ -105,6 +117,7 @@ def place(
             (
                 cost
                 + _COST_OF_INK * ink.share(box)
+                + _COST_OF_SOLID_INK * solid.share(box)
                 + _COST_OF_COVERING * _covers(box, seen)
                 + _COST_OF_CONFUSION * _is_nearer_to_another(box, label, labels),
                 order,
@@ -150,12 +163,11 @@ def _is_nearer_to_another(box: Box, label: Label, labels: Sequence[Label]) -> bo
 
 
 class _Ink:
-    """How much is drawn in any box, quick to ask."""
+    """How much is drawn in any box, quick to ask, of a canvas whose pixels [h, w] are so dark."""
 
-    def __init__(self, canvas: Canvas, ground: Colour) -> None:
-        away = np.abs(canvas.pixels.astype(np.int16) - np.array(ground, np.int16)).max(axis=-1)
-        self._sums: NDArray[np.int64] = np.zeros(np.add(away.shape, 1), np.int64)
-        self._sums[1:, 1:] = away.cumsum(axis=0, dtype=np.int64).cumsum(axis=1)
+    def __init__(self, canvas: Canvas, darkness: FloatArray) -> None:
+        self._sums: FloatArray = np.zeros(np.add(darkness.shape, 1))
+        self._sums[1:, 1:] = darkness.cumsum(axis=0).cumsum(axis=1)
         self._left, self._top = canvas.box.left, canvas.box.top
 
     def share(self, box: Box) -> float:
@@ -163,7 +175,5 @@ class _Ink:
         bottom_most, right_most = (side - 1 for side in self._sums.shape)
         x0, x1 = np.clip(np.rint([box.left, box.right]) - self._left, 0, right_most).astype(int)
         y0, y1 = np.clip(np.rint([box.top, box.bottom]) - self._top, 0, bottom_most).astype(int)
-        total = int(
-            self._sums[y1, x1] - self._sums[y0, x1] - self._sums[y1, x0] + self._sums[y0, x0]
-        )
-        return total / (255.0 * max(1, int((x1 - x0) * (y1 - y0))))
+        total = self._sums[y1, x1] - self._sums[y0, x1] - self._sums[y1, x0] + self._sums[y0, x0]
+        return float(total) / max(1, int((x1 - x0) * (y1 - y0)))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from learners import REWARD
+from learners import PROFILES, REWARD
 from scenes import FEATURES, Rollouts
 from studio.judgements import Judgement
 from studio.naming import number, teacher_name
@@ -128,8 +128,25 @@ class ActionTable:
         self._draw_contacts(canvas, contact, rollouts)
         for measure, column in zip(measures, cells, strict=False):
             self._draw_measure(canvas, column, measure, rollouts)
+        self._draw_whose_value(canvas, cells[len(measures) - 1].right, judgements)
         for judgement, column in zip(judgements, cells[len(measures) :], strict=True):
             self._draw_judgement(canvas, column, judgement)
+
+    def _draw_whose_value(
+        self, canvas: Canvas, left: float, judgements: Sequence[Judgement]
+    ) -> None:
+        """Write below the values what they are."""
+        by_mean = [teacher_name(j.teacher) for j in judgements if j.parameters == PROFILES["eu"]]
+        rest = "others" if by_mean else "V"
+        theirs = [f"{rest}: {prospect}" for prospect in ("cumulative prospect theory", "CPT")]
+        if len(by_mean) == len(judgements):
+            theirs = []
+        own = [f"{name}: expected utility" for name in by_mean]
+        texts = [" · ".join([*own, *part]) for part in ([t] for t in theirs)] or [" · ".join(own)]
+        size, right = canvas.type.small, self.box.right
+        text = canvas.fitted([*texts, ""], right - left, size)
+        at = (right, self.box.bottom - self.footer + 8 * canvas.unit)
+        canvas.text(at, text, size, canvas.theme.faint, anchor="right", line="top")
 
     def _rows(self, column: Box) -> list[Box]:
         """The cells of one column."""

@@ -149,7 +149,7 @@ def draw_icons(
 ) -> Box:
     """Draw an icon array: one dot a rollout, those that touched something first and red.
 
-    Where dots would be too small to tell apart, a bar of the same proportion stands for them.
+    Where dots would be too small to tell apart, a bar stands for them that fills with red.
 
     Returns:
         The box that it takes up, at the left of the given one.
@@ -159,7 +159,7 @@ def draw_icons(
         bar = Box(
             box.left, box.centre[1] - 4 * canvas.unit, box.right, box.centre[1] + 4 * canvas.unit
         )
-        canvas.fill(bar, colour)
+        canvas.fill(bar, canvas.theme.grid)
         if touched:
             share = max(bar.width * touched / count, 1.0)
             canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), canvas.theme.contact)
