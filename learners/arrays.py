@@ -10,7 +10,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,11 @@ Numbers: TypeAlias = "float | NDArray[Any] | Sequence[Numbers]"
 """What callers hand in and NumPy works on."""
 
 NumbersOrTensor: TypeAlias = "Numbers | Tensor"
-"""What callers hand in where one tensor is enough for torch to work on all of it."""
+"""What callers hand in where one tensor is enough for torch to work on all of it.
+
+Numbers are both this and `Numbers`, so overloads for one and for the other overlap, which type
+checkers are told to allow: the first that fits, that of `Numbers`, is what holds.
+"""
 
 Array: TypeAlias = Any
 """What formulas work on: a `FloatArray` or a `Tensor` of float64, which is known when they run."""
@@ -35,7 +39,7 @@ SUM_TOLERANCE = 1e-6
 """How far from 1 probabilities may sum: the rounding of float32, which is then normalised away."""
 
 
-def is_tensor(given: object) -> bool:
+def is_tensor(given: object) -> TypeGuard[Tensor]:
     """Whether something is a tensor of torch, which is not loaded to find out."""
     return isinstance(given, getattr(sys.modules.get("torch"), "Tensor", ()))
 
@@ -60,8 +64,7 @@ def finite_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
         InputError: if something in it is not a finite number.
     """
     if is_tensor(given):
-        array: Array = given
-        array = array.to(xp.float64)
+        array: Array = given.to(xp.float64)
     else:
         try:
             array = np.asarray(given, dtype=np.float64)
