@@ -1,64 +1,114 @@
-"""From what callers hand in to checked float64 tensors."""
+"""From what callers hand in to checked float64 arrays: NumPy's, or tensors where tensors come in.
+
+torch takes long to load, and who has no tensor needs none. So the formulas are written once, in the
+words that NumPy and torch share, and say them through the `namespace` of what they are given. The
+few words that differ are here.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 import numpy as np
-import torch
-from numpy.typing import ArrayLike
-from torch import Tensor
+from numpy.typing import NDArray
 
 from learners.errors import InputError
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+FloatArray = NDArray[np.float64]
+
+Numbers: TypeAlias = "float | NDArray[Any] | Sequence[Numbers]"
+"""What callers hand in and NumPy works on."""
+
+NumbersOrTensor: TypeAlias = "Numbers | Tensor"
+"""What callers hand in where one tensor is enough for torch to work on all of it.
+
+Numbers are both this and `Numbers`, so overloads for one and for the other overlap, which type
+checkers are told to allow: the first that fits, that of `Numbers`, is what holds.
+"""
+
+Array: TypeAlias = Any
+"""What formulas work on: a `FloatArray` or a `Tensor` of float64, which is known when they run."""
 
 SUM_TOLERANCE = 1e-6
 """How far from 1 probabilities may sum: the rounding of float32, which is then normalised away."""
 
 
-def finite_tensor(field: str, given: Tensor | ArrayLike) -> Tensor:
-    """The given numbers as a float64 tensor, which keeps the gradient of a tensor.
+def is_tensor(given: object) -> TypeGuard[Tensor]:
+    """Whether something is a tensor of torch, which is not loaded to find out."""
+    return isinstance(given, getattr(sys.modules.get("torch"), "Tensor", ()))
+
+
+def namespace(*given: object) -> ModuleType:
+    """The module whose functions work on what is given: torch if a tensor is there, else NumPy."""
+    return sys.modules["torch"] if any(map(is_tensor, given)) else np
+
+
+def take_along(array: Array, places: Array) -> Array:
+    """The numbers at these places of the last axis, in the shape that both broadcast to."""
+    xp = namespace(array)
+    shape = np.broadcast_shapes(array.shape, places.shape)
+    take = np.take_along_axis if xp is np else xp.take_along_dim
+    return take(xp.broadcast_to(array, shape), xp.broadcast_to(places, shape), -1)
+
+
+def finite_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
+    """The given numbers as float64 of a namespace; a tensor keeps its gradient.
 
     Raises:
         InputError: if something in it is not a finite number.
     """
-    if isinstance(given, Tensor):
-        tensor = given.to(torch.float64)
+    if is_tensor(given):
+        array: Array = given.to(xp.float64)
     else:
         try:
-            # copied because torch can hold neither read-only nor reversed arrays
-            tensor = torch.from_numpy(np.array(given, dtype=np.float64, order="C"))
+            array = np.asarray(given, dtype=np.float64)
         except (TypeError, ValueError) as error:
             raise InputError(
                 f"{field} of type {type(given).__name__} is not allowed: an array of numbers"
             ) from error
-    wrong = tensor.detach()[~torch.isfinite(tensor)]
-    if wrong.numel():
+        if xp is not np:
+            # copied because torch can hold neither read-only nor reversed arrays
+            array = xp.from_numpy(array.copy(order="C"))
+    wrong = array[~xp.isfinite(array)]
+    if len(wrong):
         raise InputError(f"{field} contains {wrong[0].item()}: only finite numbers are allowed")
-    return tensor
+    return array
 
 
-def positive_tensor(field: str, given: Tensor | float) -> Tensor:
-    """The given parameter as a float64 tensor.
+def positive_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
+    """The given parameter as float64 of a namespace.
 
     Raises:
         InputError: if it is not finite and above 0.
     """
-    tensor = finite_tensor(field, given)
-    lowest = tensor.detach().min().item()
+    array = finite_array(field, given, xp)
+    lowest = array.min().item()
     if lowest <= 0.0:
         raise InputError(f"{field} {lowest} is not allowed: a finite number above 0")
-    return tensor
+    return array
 
 
-def outcome_tensor(utilities: Tensor | ArrayLike, reference: Tensor | ArrayLike = 0.0) -> Tensor:
-    """Utilities above (gain) or below (loss) a reference, as a float64 tensor [..., K].
+def outcome_array(
+    utilities: NumbersOrTensor, xp: ModuleType, reference: NumbersOrTensor = 0.0
+) -> Array:
+    """Utilities above (gain) or below (loss) a reference, as float64 [..., K] of a namespace.
 
     Raises:
         InputError: if there is no outcome, a number is not finite, or the shapes do not fit.
     """
-    u = finite_tensor("utilities", utilities)
+    u = finite_array("utilities", utilities, xp)
     if u.ndim == 0 or u.shape[-1] == 0:
         raise InputError(
             f"utilities of shape {list(u.shape)} are not allowed: "
             "the last axis holds one or more outcomes"
         )
-    r = finite_tensor("reference", reference)
+    r = finite_array("reference", reference, xp)
     shape = _common_shape(u, r)
     if shape is None or shape[-1] != u.shape[-1]:
         raise InputError(
@@ -68,30 +118,30 @@ def outcome_tensor(utilities: Tensor | ArrayLike, reference: Tensor | ArrayLike 
     return u - r
 
 
-def probability_tensor(probabilities: Tensor | ArrayLike, outcomes: Tensor) -> Tensor:
-    """Probabilities of outcomes [..., K] as a float64 tensor, normalised to sum to 1.
+def probability_array(probabilities: NumbersOrTensor, outcomes: Array) -> Array:
+    """Probabilities of outcomes [..., K] as float64 like these, normalised to sum to 1.
 
     Raises:
         InputError: if one is negative, they do not sum to 1, or the shapes do not fit.
     """
-    p = finite_tensor("probabilities", probabilities)
+    p = finite_array("probabilities", probabilities, namespace(outcomes))
     fits = p.ndim > 0 and p.shape[-1] == outcomes.shape[-1]
     if not fits or _common_shape(p, outcomes) is None:
         raise InputError(
             f"probabilities of shape {list(p.shape)} are not allowed: a shape that broadcasts "
             f"against utilities {list(outcomes.shape)} and has the same last axis"
         )
-    negative = p.detach()[p < 0.0]
-    if negative.numel():
+    negative = p[p < 0.0]
+    if len(negative):
         raise InputError(f"probabilities contain {negative[0].item()}: 0 to 1 is allowed")
-    total = p.sum(-1, keepdim=True)
-    wrong = total.detach()[(total - 1.0).abs() > SUM_TOLERANCE]
-    if wrong.numel():
+    total = p.sum(-1, keepdims=True)
+    wrong = total[abs(total - 1.0) > SUM_TOLERANCE]
+    if len(wrong):
         raise InputError(f"probabilities sum to {wrong[0].item()}: they must sum to 1")
     return p / total
 
 
-def _common_shape(one: Tensor, other: Tensor) -> tuple[int, ...] | None:
+def _common_shape(one: Array, other: Array) -> tuple[int, ...] | None:
     try:
         return np.broadcast_shapes(one.shape, other.shape)
     except ValueError:

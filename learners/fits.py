@@ -74,9 +74,9 @@ class Fit:
         """Learnt value V of prospects whose features are [..., K, D], as [...]."""
         utilities = features @ self.theta
         if self.parameters is None:
-            worth: FloatArray = expected_utility(utilities).numpy()
+            worth: FloatArray = expected_utility(utilities)
         else:
-            worth = prospect_value(utilities, self.parameters, reference=self.reference).numpy()
+            worth = prospect_value(utilities, self.parameters, reference=self.reference)
         return worth
 
 

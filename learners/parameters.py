@@ -3,39 +3,39 @@
 import math
 from dataclasses import asdict, dataclass
 from numbers import Real
-from typing import Protocol
-
-from torch import Tensor
+from typing import Protocol, TypeVar
 
 from learners.errors import InputError
 
+Parameter = TypeVar("Parameter", covariant=True)
 
-class CptLike(Protocol):
+
+class CptLike(Protocol[Parameter]):
     """Anything that bears the five parameters of cumulative prospect theory.
 
-    The value functions ask for no more than this. `CptParameters` is one such thing; a learner
-    passes another, whose attributes are tensors that it differentiates with respect to. A tensor
-    is a single number, or a batch whose last axis is 1 and that broadcasts against [..., K].
+    The value functions ask for no more than this. `CptParameters` is one such thing; another may
+    have attributes that are arrays, or tensors to differentiate with respect to. Either is a single
+    number, or a batch whose last axis is 1 and that broadcasts against [..., K].
     """
 
     @property
-    def alpha(self) -> float | Tensor:
+    def alpha(self) -> Parameter:
         """Exponent of gains, α."""
 
     @property
-    def eta(self) -> float | Tensor:
+    def eta(self) -> Parameter:
         """Exponent of losses, η."""
 
     @property
-    def loss_aversion(self) -> float | Tensor:
+    def loss_aversion(self) -> Parameter:
         """How much heavier a loss weighs than a gain, λ."""
 
     @property
-    def gamma(self) -> float | Tensor:
+    def gamma(self) -> Parameter:
         """Curvature of the weighting of gains' probabilities, γ."""
 
     @property
-    def delta(self) -> float | Tensor:
+    def delta(self) -> Parameter:
         """Curvature of the weighting of losses' probabilities, δ."""
 
 

@@ -79,7 +79,7 @@ class Teacher:
             self.parameters,
             weighting=self.weighting,
             reference=self.reference,
-        ).numpy()
+        )
         return worth
 
     def description(self) -> dict[str, object]:

@@ -1,18 +1,33 @@
 """What a prospect is worth: expected utility and cumulative prospect theory.
 
-Everything here is batched over leading axes, takes tensors, arrays or lists, gives float64 tensors
-and has finite gradients everywhere. The formulas are those of Tversky and Kahneman, "Advances in
-Prospect Theory: Cumulative Representation of Uncertainty", J. Risk and Uncertainty 5 (1992).
+Everything here is batched over leading axes and takes tensors, arrays or lists. Where one of them,
+be it a parameter, is a tensor, the result is a tensor with finite gradients everywhere; else it is
+an array, or a number of NumPy in place of an array without axes. Both are float64. The formulas are
+those of Tversky and Kahneman, "Advances in Prospect Theory: Cumulative Representation of
+Uncertainty", J. Risk and Uncertainty 5 (1992).
 """
 
-import numpy as np
-import torch
-from numpy.typing import ArrayLike
-from torch import Tensor
+from __future__ import annotations
 
-from learners.arrays import finite_tensor, outcome_tensor, positive_tensor, probability_tensor
+from typing import TYPE_CHECKING, overload
+
+from learners.arrays import (
+    Array,
+    FloatArray,
+    Numbers,
+    NumbersOrTensor,
+    finite_array,
+    namespace,
+    outcome_array,
+    positive_array,
+    probability_array,
+    take_along,
+)
 from learners.parameters import CptLike
 from learners.weighting import Weighting, curvature, weigh
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 SMOOTHING = 1e-12
 """Outcomes smaller than this are valued in proportion to their size, in units of utility.
@@ -23,9 +38,15 @@ and more, and vanishes as (1e-12/x)² relative to the value: below rounding from
 """
 
 
+@overload
+def expected_utility(utilities: Numbers, probabilities: Numbers | None = ...) -> FloatArray: ...  # type: ignore[overload-overlap]
+@overload
 def expected_utility(
-    utilities: Tensor | ArrayLike, probabilities: Tensor | ArrayLike | None = None
-) -> Tensor:
+    utilities: NumbersOrTensor, probabilities: NumbersOrTensor | None = ...
+) -> Tensor: ...
+def expected_utility(
+    utilities: NumbersOrTensor, probabilities: NumbersOrTensor | None = None
+) -> Array:
     """Mean utility of prospects, V = Σ p_k u_k.
 
     Args:
@@ -39,27 +60,46 @@ def expected_utility(
     Raises:
         InputError: if utilities are missing or not finite, or the probabilities are not such.
     """
-    u = outcome_tensor(utilities)
+    u = outcome_array(utilities, namespace(utilities, probabilities))
     if probabilities is None:
         return u.mean(-1)
-    return (probability_tensor(probabilities, u) * u).sum(-1)
+    return (probability_array(probabilities, u) * u).sum(-1)
 
 
+@overload
+def prospect_value(  # type: ignore[overload-overlap]
+    utilities: Numbers,
+    parameters: CptLike[Numbers],
+    probabilities: Numbers | None = ...,
+    *,
+    weighting: Weighting = ...,
+    reference: Numbers = ...,
+) -> FloatArray: ...
+@overload
 def prospect_value(
-    utilities: Tensor | ArrayLike,
-    parameters: CptLike,
-    probabilities: Tensor | ArrayLike | None = None,
+    utilities: NumbersOrTensor,
+    parameters: CptLike[NumbersOrTensor],
+    probabilities: NumbersOrTensor | None = ...,
+    *,
+    weighting: Weighting = ...,
+    reference: NumbersOrTensor = ...,
+) -> Tensor: ...
+def prospect_value(
+    utilities: NumbersOrTensor,
+    parameters: CptLike[NumbersOrTensor],
+    probabilities: NumbersOrTensor | None = None,
     *,
     weighting: Weighting = "prelec",
-    reference: Tensor | float = 0.0,
-) -> Tensor:
+    reference: NumbersOrTensor = 0.0,
+) -> Array:
     """Value of prospects in cumulative prospect theory, V = Σ π_k v(u_k − r).
 
     With all five parameters 1 and r = 0 this is the mean.
 
     Args:
         utilities: [..., K], one utility per outcome, in any order.
-        parameters: anything with the five attributes of `CptParameters`, as floats or tensors.
+        parameters: anything with the five attributes of `CptParameters`, as floats, arrays or
+            tensors.
         probabilities: [..., K], that broadcast against the utilities; left out, every outcome
             has probability 1/K.
         weighting: how probabilities are weighted, see `weight`.
@@ -79,12 +119,20 @@ def prospect_value(
         >>> round(float(prospect_value([1.0, -1.0], PROFILES["tk"])), 3)
         -0.585
     """
-    x = outcome_tensor(utilities, reference)
+    a = parameters
+    xp = namespace(
+        utilities, probabilities, reference, a.alpha, a.eta, a.loss_aversion, a.gamma, a.delta
+    )
+    x = outcome_array(utilities, xp, reference)
     weights = _decision_weights(x, parameters, probabilities, weighting)
     return (weights * value(x, parameters)).sum(-1)
 
 
-def value(x: Tensor | ArrayLike, parameters: CptLike) -> Tensor:
+@overload
+def value(x: Numbers, parameters: CptLike[Numbers]) -> FloatArray: ...  # type: ignore[overload-overlap]
+@overload
+def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Tensor: ...
+def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Array:
     """Value v of gains and losses: x^α for x ≥ 0, −λ(−x)^η for x < 0 (equation 5).
 
     Computed as x·√(x² + ε²)^(α−1), which has a slope at 0 and is exact for α = 1; `SMOOTHING`
@@ -100,24 +148,46 @@ def value(x: Tensor | ArrayLike, parameters: CptLike) -> Tensor:
     Raises:
         InputError: if an outcome is not finite or a parameter is out of range.
     """
-    x = finite_tensor("x", x)
-    is_gain = x >= 0.0
-    exponent = torch.where(
-        is_gain, positive_tensor("alpha", parameters.alpha), positive_tensor("eta", parameters.eta)
+    xp = namespace(x, parameters.alpha, parameters.eta, parameters.loss_aversion)
+    outcomes = finite_array("x", x, xp)
+    is_gain = outcomes >= 0.0
+    exponent = xp.where(
+        is_gain,
+        positive_array("alpha", parameters.alpha, xp),
+        positive_array("eta", parameters.eta, xp),
     )
-    aversion = torch.where(is_gain, 1.0, positive_tensor("loss_aversion", parameters.loss_aversion))
-    size = torch.hypot(x, x.new_tensor(SMOOTHING))
-    return aversion * x * size ** (exponent - 1.0)
+    loss_aversion = positive_array("loss_aversion", parameters.loss_aversion, xp)
+    aversion = xp.where(is_gain, 1.0, loss_aversion)
+    size = xp.hypot(outcomes, xp.full_like(outcomes, SMOOTHING))
+    return aversion * outcomes * size ** (exponent - 1.0)
 
 
+@overload
+def decision_weights(  # type: ignore[overload-overlap]
+    utilities: Numbers,
+    parameters: CptLike[Numbers],
+    probabilities: Numbers | None = ...,
+    *,
+    weighting: Weighting = ...,
+    reference: Numbers = ...,
+) -> FloatArray: ...
+@overload
 def decision_weights(
-    utilities: Tensor | ArrayLike,
-    parameters: CptLike,
-    probabilities: Tensor | ArrayLike | None = None,
+    utilities: NumbersOrTensor,
+    parameters: CptLike[NumbersOrTensor],
+    probabilities: NumbersOrTensor | None = ...,
+    *,
+    weighting: Weighting = ...,
+    reference: NumbersOrTensor = ...,
+) -> Tensor: ...
+def decision_weights(
+    utilities: NumbersOrTensor,
+    parameters: CptLike[NumbersOrTensor],
+    probabilities: NumbersOrTensor | None = None,
     *,
     weighting: Weighting = "prelec",
-    reference: Tensor | float = 0.0,
-) -> Tensor:
+    reference: NumbersOrTensor = 0.0,
+) -> Array:
     """Decision weights π of outcomes: how much each counts (section 1.1).
 
     A loss counts w⁻(P of it or worse) − w⁻(P of worse), a gain w⁺(P of it or better) −
@@ -140,31 +210,31 @@ def decision_weights(
         InputError: if utilities are missing or not finite, the probabilities are not such, or a
             parameter is out of range.
     """
-    x = outcome_tensor(utilities, reference)
+    xp = namespace(utilities, probabilities, reference, parameters.gamma, parameters.delta)
+    x = outcome_array(utilities, xp, reference)
     return _decision_weights(x, parameters, probabilities, weighting)
 
 
 def _decision_weights(
-    x: Tensor,
-    parameters: CptLike,
-    probabilities: Tensor | ArrayLike | None,
+    x: Array,
+    parameters: CptLike[NumbersOrTensor],
+    probabilities: NumbersOrTensor | None,
     weighting: Weighting,
-) -> Tensor:
-    gamma = curvature("gamma", parameters.gamma, weighting)
-    delta = curvature("delta", parameters.delta, weighting)
+) -> Array:
+    xp = namespace(x)
+    gamma = curvature("gamma", parameters.gamma, weighting, xp)
+    delta = curvature("delta", parameters.delta, weighting, xp)
+    order = xp.argsort(x, axis=-1, stable=True)
+    ranked = take_along(x, order)
     if probabilities is None:
-        ranked, order = x.sort(stable=True)
-        p = x.new_full((x.shape[-1],), 1.0 / x.shape[-1])
+        p = xp.full(x.shape[-1:], 1.0 / x.shape[-1], dtype=x.dtype, device=x.device)
     else:
-        p = probability_tensor(probabilities, x)
-        shape = np.broadcast_shapes(x.shape, p.shape)
-        ranked, order = x.expand(shape).sort(stable=True)
-        p = p.expand(shape).gather(-1, order)
+        p = take_along(probability_array(probabilities, x), order)
     # the K + 1 places at which the ranked outcomes can be cut into worse and better
-    nothing = torch.zeros_like(p[..., :1])
-    worse = torch.cat([nothing, p.cumsum(-1)], -1)
-    better = torch.cat([p.flip(-1).cumsum(-1).flip(-1), nothing], -1)
-    of_loss = weigh(worse, better, delta, weighting).diff(dim=-1)
-    of_gain = -weigh(better, worse, gamma, weighting).diff(dim=-1)
-    weights = torch.where(ranked >= 0.0, of_gain, of_loss).clamp(min=0.0)
-    return torch.zeros_like(weights).scatter(-1, order.expand(weights.shape), weights)
+    nothing = xp.zeros_like(p[..., :1])
+    worse = xp.concatenate([nothing, xp.cumsum(p, -1)], -1)
+    better = xp.concatenate([xp.flip(xp.cumsum(xp.flip(p, (-1,)), -1), (-1,)), nothing], -1)
+    of_loss = xp.diff(weigh(worse, better, delta, weighting))
+    of_gain = -xp.diff(weigh(better, worse, gamma, weighting))
+    weights = xp.clip(xp.where(ranked >= 0.0, of_gain, of_loss), 0.0, None)
+    return take_along(weights, xp.argsort(order, axis=-1))  # back into the order of the utilities

@@ -6,15 +6,27 @@ has a weight that misses 1 by 1e-8. Therefore a probability p is handed around t
 complement 1 − p, each exact where it is small, and logarithms are taken of the smaller one.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
-from typing import Literal
+from types import ModuleType
+from typing import TYPE_CHECKING, Literal, overload
 
-import torch
-from numpy.typing import ArrayLike
-from torch import Tensor
+import numpy as np
 
-from learners.arrays import finite_tensor, positive_tensor
+from learners.arrays import (
+    Array,
+    FloatArray,
+    Numbers,
+    NumbersOrTensor,
+    finite_array,
+    namespace,
+    positive_array,
+)
 from learners.errors import InputError
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 Weighting = Literal["prelec", "tversky-kahneman"]
 
@@ -26,9 +38,15 @@ Tversky–Kahneman probability-weighting function", European Financial Managemen
 """
 
 
+@overload
+def weight(probability: Numbers, gamma: Numbers, *, weighting: Weighting = ...) -> FloatArray: ...  # type: ignore[overload-overlap]
+@overload
 def weight(
-    probability: Tensor | ArrayLike, gamma: Tensor | float, *, weighting: Weighting = "prelec"
-) -> Tensor:
+    probability: NumbersOrTensor, gamma: NumbersOrTensor, *, weighting: Weighting = ...
+) -> Tensor: ...
+def weight(
+    probability: NumbersOrTensor, gamma: NumbersOrTensor, *, weighting: Weighting = "prelec"
+) -> Array:
     """Weight w(p) of a probability.
 
     `prelec` is w(p) = exp(−(−ln p)^γ) (Prelec, "The Probability Weighting Function",
@@ -41,12 +59,12 @@ def weight(
 
     Args:
         probability: p, any shape, 0 to 1.
-        gamma: curvature, γ for gains and δ for losses, above 0; a tensor must broadcast
-            against `probability`.
+        gamma: curvature, γ for gains and δ for losses, above 0; it must broadcast against
+            `probability`.
         weighting: which function.
 
     Returns:
-        The weights, float64, 0 to 1.
+        The weights, float64, 0 to 1: a tensor if a tensor is given, else an array.
 
     Raises:
         InputError: if a probability or the curvature is out of range, or the weighting unknown.
@@ -55,58 +73,64 @@ def weight(
         >>> weight([0.0, 0.01, 1.0], 0.5).round(decimals=3).tolist()
         [0.0, 0.117, 1.0]
     """
-    p = finite_tensor("probability", probability)
-    outside = p.detach()[(p.detach() < 0.0) | (p.detach() > 1.0)]
-    if outside.numel():
+    xp = namespace(probability, gamma)
+    p = finite_array("probability", probability, xp)
+    outside = p[(p < 0.0) | (p > 1.0)]
+    if len(outside):
         raise InputError(f"probability {outside[0].item()} is not allowed: 0 to 1")
-    return weigh(p, 1.0 - p, curvature("gamma", gamma, weighting), weighting)
+    return weigh(p, 1.0 - p, curvature("gamma", gamma, weighting, xp), weighting)
 
 
-def curvature(field: str, given: Tensor | float, weighting: Weighting) -> Tensor:
-    """The curvature as a float64 tensor, checked for the weighting that it is meant for.
+def curvature(
+    field: str, given: NumbersOrTensor, weighting: Weighting, xp: ModuleType = np
+) -> Array:
+    """The curvature as float64 of a namespace, checked for the weighting that it is meant for.
 
     Raises:
         InputError: if the weighting is unknown, or not monotone with this curvature.
     """
     if weighting not in _FUNCTIONS:
         raise InputError(f"weighting {weighting!r} is not allowed: {' or '.join(_FUNCTIONS)}")
-    tensor = positive_tensor(field, given)
-    lowest = tensor.detach().min().item()
+    checked = positive_array(field, given, xp)
+    lowest = checked.min().item()
     if weighting == "tversky-kahneman" and lowest < TVERSKY_KAHNEMAN_LOWEST:
         raise InputError(
             f"{field} {lowest} is not allowed with the tversky-kahneman weighting: "
             f"{TVERSKY_KAHNEMAN_LOWEST} or more, below which it is not monotone"
         )
-    return tensor
+    return checked
 
 
-def weigh(p: Tensor, complement: Tensor, gamma: Tensor, weighting: Weighting) -> Tensor:
+def weigh(p: Array, complement: Array, gamma: Array, weighting: Weighting) -> Array:
     """Weight w(p) of a probability whose complement 1 − p is known as exactly as p itself.
 
     The arguments are not checked: `weight` is the function for callers.
     """
+    xp = namespace(p)
     inside = (p > 0.0) & (complement > 0.0)
     is_smaller = p <= complement
-    # not torch.minimum, which at p = 1/2 would halve the gradient between p and 1 − p, and
+    # not `minimum`, which at p = 1/2 would halve a tensor's gradient between p and 1 − p, and
     # 1/2 at the ends because `where` spoils gradients unless its input is harmless too
-    smaller = torch.where(inside, torch.where(is_smaller, p, complement), 0.5)
-    log_smaller, log_larger = smaller.log(), torch.log1p(-smaller)
-    log_p = torch.where(is_smaller, log_smaller, log_larger)
-    log_complement = torch.where(is_smaller, log_larger, log_smaller)
-    weights = _FUNCTIONS[weighting](log_p, log_complement, gamma)
-    return torch.where(inside, weights, p).clamp(0.0, 1.0)
+    smaller = xp.where(inside, xp.where(is_smaller, p, complement), 0.5)
+    log_smaller, log_larger = xp.log(smaller), xp.log1p(-smaller)
+    log_p = xp.where(is_smaller, log_smaller, log_larger)
+    log_complement = xp.where(is_smaller, log_larger, log_smaller)
+    # what overflows on the way to exp(−∞) is a weight of 0
+    with np.errstate(over="ignore"):
+        weights = _FUNCTIONS[weighting](log_p, log_complement, gamma, xp)
+    return xp.clip(xp.where(inside, weights, p), 0.0, 1.0)
 
 
-def _prelec(log_p: Tensor, log_complement: Tensor, gamma: Tensor) -> Tensor:  # noqa: ARG001
-    return torch.exp(-((-log_p) ** gamma))
+def _prelec(log_p: Array, log_complement: Array, gamma: Array, xp: ModuleType) -> Array:  # noqa: ARG001
+    return xp.exp(-((-log_p) ** gamma))
 
 
-def _tversky_kahneman(log_p: Tensor, log_complement: Tensor, gamma: Tensor) -> Tensor:
-    both = torch.logaddexp(gamma * log_p, gamma * log_complement)
-    return torch.exp(gamma * log_p - both / gamma)
+def _tversky_kahneman(log_p: Array, log_complement: Array, gamma: Array, xp: ModuleType) -> Array:
+    both = xp.logaddexp(gamma * log_p, gamma * log_complement)
+    return xp.exp(gamma * log_p - both / gamma)
 
 
-_FUNCTIONS: dict[str, Callable[[Tensor, Tensor, Tensor], Tensor]] = {
+_FUNCTIONS: dict[str, Callable[[Array, Array, Array, ModuleType], Array]] = {
     "prelec": _prelec,
     "tversky-kahneman": _tversky_kahneman,
 }

@@ -39,6 +39,6 @@ def judge(rollouts: Rollouts) -> tuple[Judgement, ...]:
     outcome_utilities = utilities(rollouts)
     judgements = []
     for teacher, parameters in PROFILES.items():
-        values = prospect_value(outcome_utilities, parameters).numpy()
+        values = prospect_value(outcome_utilities, parameters)
         judgements.append(Judgement(teacher, parameters, values, int(np.argmax(values))))
     return tuple(judgements)

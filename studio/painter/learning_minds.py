@@ -74,10 +74,9 @@ def draw_shapes(
         )
         labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
         curves = [
-            (shade, weight(p, float(row[column])).numpy())
-            for shade, row in _shaded_rows(results, teacher)
+            (shade, weight(p, float(row[column]))) for shade, row in _shaded_rows(results, teacher)
         ]
-        true = weight(p, getattr(truth, column), weighting=teacher.weighting).numpy()
+        true = weight(p, getattr(truth, column), weighting=teacher.weighting)
         _draw_shape(canvas, panel, across, up, p, curves, true, results)
         if column == "delta":
             _draw_key(canvas, panel, results)
@@ -99,8 +98,8 @@ def draw_shapes(
         parameters = parameters_of(row)
         stretch = float(np.linalg.norm(row["theta"])) / length
         if parameters is not None:
-            curves.append((shade, value(x * stretch, parameters).numpy()))
-    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth).numpy(), results)
+            curves.append((shade, value(x * stretch, parameters)))
+    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), results)
 
 
 def _shaded_rows(results: Results, teacher: Teacher) -> list[tuple[float, Row]]:

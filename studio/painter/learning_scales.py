@@ -54,7 +54,7 @@ class Scales:
         lengths = [float(np.linalg.norm(teacher.reward)) for teacher in results.teachers]
         _, reach = round_range(0.0, max(0.75 * max(lengths, default=0.4), 1e-3))
         ends = np.array([-reach, reach])
-        truths = [value(ends, teacher.parameters).numpy() for teacher in results.teachers]
+        truths = [value(ends, teacher.parameters) for teacher in results.teachers]
         values = (
             min((1.15 * float(truth[0]) for truth in truths), default=-reach),
             max((1.35 * float(truth[1]) for truth in truths), default=reach),

@@ -100,7 +100,7 @@ def _draw_weighting(canvas: Canvas, box: Box, judgements: Sequence[Judgement]) -
             (judgement.parameters.gamma, 1.5),
             (judgement.parameters.delta, 3),
         ):
-            curve = np.stack([across.along(p), up.along(weight(p, curvature).numpy())], axis=-1)
+            curve = np.stack([across.along(p), up.along(weight(p, curvature))], axis=-1)
             canvas.line(curve, teacher_colour(judgement.teacher), width * canvas.unit)
 
 
@@ -110,7 +110,7 @@ def _draw_values(
     """Draw what gains and losses as large as this scene's are worth to each teacher."""
     _, reach = round_range(0.0, max(float(np.abs(utilities(rollouts)).max()), 0.01))
     x = np.linspace(-reach, reach, 201)
-    curves = {judgement.teacher: value(x, judgement.parameters).numpy() for judgement in judgements}
+    curves = {judgement.teacher: value(x, judgement.parameters) for judgement in judgements}
     lowest = min((float(curve.min()) for curve in curves.values()), default=-reach)
     highest = max((float(curve.max()) for curve in curves.values()), default=reach)
     across, up = _frame(

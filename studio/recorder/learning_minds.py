@@ -83,14 +83,12 @@ def weight_figures(results: Results, teacher: Teacher) -> tuple[MindFigure, Mind
     for pairs in results.sizes:
         for learner in results.learners:
             people = learnt_parameters(results.runs(teacher, learner, pairs))
-            gains[pairs, learner] = _stacked(
-                [weight(PROBABILITIES, each.gamma).numpy() for each in people]
-            )
+            gains[pairs, learner] = _stacked([weight(PROBABILITIES, each.gamma) for each in people])
             losses[pairs, learner] = _stacked(
-                [weight(PROBABILITIES, each.delta).numpy() for each in people]
+                [weight(PROBABILITIES, each.delta) for each in people]
             )
     true_gains, true_losses = (
-        weight(PROBABILITIES, curvature, weighting=teacher.weighting).numpy()
+        weight(PROBABILITIES, curvature, weighting=teacher.weighting)
         for curvature in (teacher.parameters.gamma, teacher.parameters.delta)
     )
     paths = [entities.figure(teacher.name, name) for name in (GAIN_WEIGHTS, LOSS_WEIGHTS)]
@@ -123,7 +121,7 @@ def value_figure(results: Results, teacher: Teacher) -> MindFigure:
 
 def values_along(theta: Sequence[float], reference: float, people: CptParameters) -> FloatArray:
     """Values v at utilities in units of ‖θ‖, [X]."""
-    values: FloatArray = value(length(theta) * UTILITIES - reference, people).numpy()
+    values: FloatArray = value(length(theta) * UTILITIES - reference, people)
     return values
 
 

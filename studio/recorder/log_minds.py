@@ -72,8 +72,8 @@ def log_weighting(stream: rr.RecordingStream, judgements: tuple[Judgement, ...])
     """Draw w(p) of gains and of losses: how much a probability counts."""
     # denser towards 0 and 1, where the curves are steep
     p = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
-    gains = [weight(p, each.parameters.gamma).numpy() for each in judgements]
-    losses = [weight(p, each.parameters.delta).numpy() for each in judgements]
+    gains = [weight(p, each.parameters.gamma) for each in judgements]
+    losses = [weight(p, each.parameters.delta) for each in judgements]
     ticks = (0.0, 0.5, 1.0)
     of_gains = Panel(0, "w(p) of gains", ticks, ticks)
     of_losses = Panel(1, "w(p) of losses", ticks, ticks)
@@ -88,7 +88,7 @@ def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement
     """
     places = np.arange(0.5, RANKS)
     utilities = places - RANKS / 2.0
-    curves = [RANKS * decision_weights(utilities, each.parameters).numpy() for each in judgements]
+    curves = [RANKS * decision_weights(utilities, each.parameters) for each in judgements]
     panel = Panel(
         2,
         "decision weight × 50",
@@ -101,7 +101,7 @@ def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement
 def log_values(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
     """Draw v(x): how good a gain feels and how bad a loss."""
     x = LARGEST_UTILITY * np.linspace(-1.0, 1.0, 101) ** 3  # denser at 0, where the kink is
-    curves = [value(x, judgement.parameters).numpy() for judgement in judgements]
+    curves = [value(x, judgement.parameters) for judgement in judgements]
     ticks = round_ticks(float(np.min(curves)), float(np.max(curves)))
     panel = Panel(3, "v(x)", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks)
     log_panel(stream, entities.VALUES, panel, judgements, x, curves)

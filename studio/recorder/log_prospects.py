@@ -44,7 +44,7 @@ def log_prospects(
     """
     ranked = np.sort(utilities(rollouts), axis=-1)  # (A, K), worst first
     actions, count = ranked.shape
-    weights = [decision_weights(ranked, each.parameters).numpy() * count for each in judgements]
+    weights = [decision_weights(ranked, each.parameters) * count for each in judgements]
     worths = [certainty_equivalents(each.values, each.parameters) for each in judgements]
     everything = np.concatenate([ranked.ravel(), *worths])
     utility_scale = linear(round_ticks(float(everything.min()), float(everything.max())))

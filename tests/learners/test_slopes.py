@@ -102,7 +102,7 @@ def test_steps_are_decision_weights(outcomes, curvature):
     steps, slopes = prelec_steps(outcomes, curvature)
     mind = CptParameters(1.0, 1.0, 1.0, 1.0, curvature)
     losses = np.arange(-outcomes, 0.0)
-    np.testing.assert_allclose(steps, decision_weights(losses, mind).numpy(), atol=1e-14)
+    np.testing.assert_allclose(steps, decision_weights(losses, mind), atol=1e-14)
     places = np.arange(outcomes + 1) / outcomes
-    high, low = (weight(places, curvature + h).diff().numpy() for h in (1e-6, -1e-6))
+    high, low = (np.diff(weight(places, curvature + h)) for h in (1e-6, -1e-6))
     np.testing.assert_allclose(slopes, (high - low) / 2e-6, atol=1e-8)

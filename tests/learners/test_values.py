@@ -101,7 +101,15 @@ class TestValue:
     @repeatable
     @given(st.lists(st.floats(-1e-9, 1e-9), min_size=2), parameters)
     def test_is_monotone_also_where_it_is_smoothed(self, x, people):
-        assert (value(sorted(x), people).diff() >= 0.0).all()
+        assert (np.diff(value(sorted(x), people)) >= 0.0).all()
+
+    @repeatable
+    @given(st.lists(st.floats(-100.0, 100.0), min_size=1), parameters)
+    def test_arrays_and_tensors_agree(self, x, people):
+        array, tensor = value(x, people), value(torch.tensor(x, dtype=torch.float64), people)
+        assert isinstance(array, np.ndarray)
+        assert (array.dtype, tensor.dtype) == (np.float64, torch.float64)
+        np.testing.assert_allclose(array, tensor, rtol=1e-15, atol=0.0)
 
     def test_gradients_are_those_of_finite_differences(self):
         x = torch.tensor([-2.0, -0.1, 0.05, 3.0], dtype=torch.float64, requires_grad=True)
@@ -264,9 +272,9 @@ class TestProspectValue:
         numbers = [1, 2, 3, 4, 5, 6]
         utilities = [n if n % 2 == 0 else -n for n in numbers]
         sixths = weight(np.arange(7) / 6, TK.gamma), weight(np.arange(7) / 6, TK.delta)
-        gain, loss = (w.diff() for w in sixths)
-        expected = torch.stack([loss[2], gain[2], loss[1], gain[1], loss[0], gain[0]])
-        torch.testing.assert_close(decision_weights(utilities, TK), expected)
+        gain, loss = (np.diff(w) for w in sixths)
+        expected = [loss[2], gain[2], loss[1], gain[1], loss[0], gain[0]]
+        np.testing.assert_allclose(decision_weights(utilities, TK), expected, atol=1e-15)
 
 
 class TestDecisionWeights:
@@ -289,7 +297,7 @@ class TestDecisionWeights:
     @pytest.mark.parametrize("sign", [1.0, -1.0])
     def test_overweight_the_rare_extremes(self, sign):
         utilities = sign * np.array([1.0, 2.0, 3.0, 4.0])
-        probabilities = torch.tensor([0.01, 0.49, 0.49, 0.01])
+        probabilities = np.array([0.01, 0.49, 0.49, 0.01])
         weights = decision_weights(utilities, TK, probabilities)
         assert (weights > 3 * probabilities).tolist() == [True, False, False, True]
 
@@ -300,7 +308,7 @@ class TestDecisionWeights:
 
     def test_gains_and_losses_part_at_the_reference(self):
         below = decision_weights([1.0, 2.0], TK, reference=3.0)
-        torch.testing.assert_close(below, decision_weights([-2.0, -1.0], TK))
+        np.testing.assert_array_equal(below, decision_weights([-2.0, -1.0], TK))
 
 
 class TestExpectedUtility:
@@ -331,7 +339,7 @@ class TestEveryFunctionOfProspects:
             batch = function(utilities, p)
             for i, j in np.ndindex(3, 7):
                 one = None if p is None else np.broadcast_to(p, utilities.shape)[i, j]
-                torch.testing.assert_close(
+                np.testing.assert_allclose(
                     batch[i, j], function(utilities[i, j], one), rtol=0.0, atol=1e-14
                 )
 
@@ -339,11 +347,11 @@ class TestEveryFunctionOfProspects:
         probabilities = np.random.default_rng(3).dirichlet(np.ones(4), size=5)
         batch = function([0.3, -0.2, 0.0, 1.0], probabilities)
         loop = [function([0.3, -0.2, 0.0, 1.0], p) for p in probabilities]
-        torch.testing.assert_close(batch, torch.stack(loop), rtol=0.0, atol=1e-15)
+        np.testing.assert_allclose(batch, loop, rtol=0.0, atol=1e-15)
 
     def test_equal_probabilities_may_be_left_out(self, function):
         utilities = np.random.default_rng(4).normal(size=(6, 9))
-        torch.testing.assert_close(
+        np.testing.assert_allclose(
             function(utilities), function(utilities, np.full(9, 1 / 9)), rtol=0.0, atol=1e-14
         )
 
@@ -352,10 +360,23 @@ class TestEveryFunctionOfProspects:
         array = np.array([[1, -2, 3], [4, 0, -1]], dtype=dtype)
         array.setflags(write=False)
         expected = function(array.tolist())
-        assert expected.dtype == torch.float64
-        for given_utilities in (array, torch.tensor(array.copy()), array[:, ::-1][:, ::-1]):
-            assert torch.equal(function(given_utilities), expected)
-            assert function(given_utilities).dtype == torch.float64
+        assert expected.dtype == np.float64
+        for given_utilities in (array, array[:, ::-1][:, ::-1]):
+            assert np.array_equal(function(given_utilities), expected)
+            assert function(given_utilities).dtype == np.float64
+        of_tensor = function(torch.tensor(array.copy()))
+        assert of_tensor.dtype == torch.float64
+        np.testing.assert_allclose(of_tensor, expected, rtol=0.0, atol=1e-15)
+
+    def test_one_tensor_makes_the_result_a_tensor(self, function):
+        utilities, probabilities = [[1.0, -2.0, 3.0], [4.0, 0.0, -1.0]], [0.2, 0.3, 0.5]
+        expected = function(utilities, probabilities)
+        for some in (
+            function(torch.tensor(utilities), probabilities),
+            function(np.array(utilities), torch.tensor(probabilities, dtype=torch.float64)),
+        ):
+            assert some.dtype == torch.float64
+            np.testing.assert_allclose(some, expected, rtol=0.0, atol=1e-15)
 
     def test_probabilities_of_single_precision_are_normalised(self, function):
         probabilities = torch.tensor([0.01, 0.49, 0.49, 0.01])
@@ -432,8 +453,44 @@ class TestEveryFunctionOfCpt:
                 for n in names
             }
         )
-        loop = torch.stack([function(utilities, a) for a in people])
-        torch.testing.assert_close(function(utilities, batch), loop, rtol=0.0, atol=1e-14)
+        loop = [function(utilities, a) for a in people]
+        of_tensors = function(utilities, batch)
+        assert of_tensors.dtype == torch.float64
+        np.testing.assert_allclose(of_tensors, loop, rtol=0.0, atol=1e-14)
+        arrays = SimpleNamespace(**{n: numbers.numpy() for n, numbers in vars(batch).items()})
+        of_arrays = function(utilities, arrays)
+        assert isinstance(of_arrays, np.ndarray)
+        np.testing.assert_allclose(of_arrays, loop, rtol=0.0, atol=1e-14)
+
+    @pytest.mark.parametrize("name", ["gamma", "delta"])
+    def test_one_tensor_among_parameters_or_a_reference_makes_a_tensor(self, function, name):
+        utilities, p = [1.0, -2.0, 3.0], [0.2, 0.3, 0.5]
+        expected = function(utilities, TK, p)
+        one = torch.tensor(getattr(TK, name), dtype=torch.float64, requires_grad=True)
+        of_parameter = function(utilities, SimpleNamespace(**{**vars(TK), name: one}), p)
+        of_reference = function(utilities, TK, p, reference=torch.tensor(0.0))
+        for some in (of_parameter, of_reference):
+            assert some.dtype == torch.float64
+            np.testing.assert_allclose(some.detach(), expected, rtol=0.0, atol=1e-15)
+        assert torch.autograd.grad(of_parameter.square().sum(), one)[0] != 0.0
+
+    @repeatable
+    @given(prospects(), parameters, weightings, utility)
+    def test_arrays_and_tensors_agree(self, function, prospect, people, weighting, reference):
+        utilities, probabilities = prospect
+        largest = np.abs(value(np.array(utilities) - reference, people)).max()
+        for p in (probabilities, None):
+            array = function(utilities, people, p, weighting=weighting, reference=reference)
+            tensor = function(
+                torch.tensor(utilities, dtype=torch.float64),
+                people,
+                p,
+                weighting=weighting,
+                reference=reference,
+            )
+            assert (array.dtype, tensor.dtype) == (np.float64, torch.float64)
+            # each of the eight outcomes or fewer may be rounded otherwise
+            np.testing.assert_allclose(array, tensor, rtol=0.0, atol=1e-15 * max(1.0, 2 * largest))
 
 
 def as_parameters(vector):

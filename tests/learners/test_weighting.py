@@ -60,6 +60,23 @@ def test_certainty_and_impossibility_are_not_distorted(weighting, gamma):
 def test_curvature_1_distorts_nothing(weighting):
     p = torch.linspace(0.0, 1.0, 1001, dtype=torch.float64)
     torch.testing.assert_close(weight(p, 1.0, weighting=weighting), p, rtol=0.0, atol=1e-15)
+    np.testing.assert_allclose(weight(p.numpy(), 1.0, weighting=weighting), p, rtol=0.0, atol=1e-15)
+
+
+@either_weighting
+@repeatable
+@given(st.lists(probability, min_size=1), curvature)
+def test_arrays_and_tensors_agree(weighting, p, gamma):
+    array = weight(p, gamma, weighting=weighting)
+    assert isinstance(array, np.ndarray)
+    assert array.dtype == np.float64
+    numbers = torch.tensor(p, dtype=torch.float64)
+    for tensor in (
+        weight(numbers, gamma, weighting=weighting),
+        weight(p, torch.tensor(gamma, dtype=torch.float64), weighting=weighting),
+    ):
+        assert tensor.dtype == torch.float64
+        np.testing.assert_allclose(array, tensor, rtol=0.0, atol=1e-15)
 
 
 def test_prelec_crosses_the_diagonal_at_one_over_e():
@@ -109,8 +126,9 @@ def test_the_lowest_curvature_of_tversky_and_kahneman_is_where_monotony_ends():
         weight(0.5, 0.27, weighting="tversky-kahneman")
 
 
-def test_prelec_has_no_lowest_curvature():
+def test_prelec_has_no_lowest_and_no_highest_curvature():
     assert weight(0.5, 0.01).item() == pytest.approx(closed_form(0.5, 0.01, "prelec"))
+    assert weight([0.01, 0.5, 0.99], 1e3).tolist() == [0.0, 1.0, 1.0]
 
 
 @pytest.mark.parametrize(

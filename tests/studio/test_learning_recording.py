@@ -315,9 +315,9 @@ def test_drawn_means_lie_where_the_axes_put_them(recording: Path, table: pa.Tabl
 def test_the_true_weights_are_the_teachers(recording: Path, figure: str, curvature: float) -> None:
     strips = read(recording)[f"/figures/tk/{figure}/truth"]["LineStrips2D:strips"][0]
     p, drawn = np.concatenate(strips).T
-    np.testing.assert_allclose(drawn, weight(p.clip(0.0, 1.0), curvature).numpy(), atol=0.03)
+    np.testing.assert_allclose(drawn, weight(p.clip(0.0, 1.0), curvature), atol=0.03)
     inside = (p > 0.02) & (p < 0.98)
-    expected = weight(p[inside], curvature).numpy()
+    expected = weight(p[inside], curvature)
     np.testing.assert_allclose(drawn[inside], expected, atol=2e-3)
 
 
@@ -325,7 +325,7 @@ def test_the_true_value_is_the_teachers(recording: Path, table: pa.Table) -> Non
     teacher = TEACHERS["tk"]
     mind = value_figure(Results(table, PAIR), teacher)
     utilities = np.linalg.norm(teacher.reward) * mind.x
-    np.testing.assert_allclose(mind.truth, value(utilities, teacher.parameters).numpy())
+    np.testing.assert_allclose(mind.truth, value(utilities, teacher.parameters))
     strips = read(recording)["/figures/tk/values/truth"]["LineStrips2D:strips"][0]
     page = np.concatenate(strips)
     expected = np.interp(page[:, 0], *mind.axes.place(mind.x, mind.truth).T)
@@ -341,7 +341,7 @@ def test_minds_sharpen_over_pairs(recording: Path) -> None:
         # every seed of both learners, once if alike, then their means
         assert len(strips) == 1 + 3 + 2
         p, drawn = np.array(strips[-1]).T
-        off.append(np.abs(drawn - weight(p.clip(0.0, 1.0), 0.69).numpy()).mean())
+        off.append(np.abs(drawn - weight(p.clip(0.0, 1.0), 0.69)).mean())
     assert off[1] < off[0]
 
 
