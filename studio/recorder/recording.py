@@ -36,7 +36,7 @@ from studio.recorder.stream import recording_to
 SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
 
-PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce", "torch")
+PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce")
 """Packages whose versions a recording names."""
 
 
