@@ -86,6 +86,17 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
     return [names[index] for index in generator.permutation(2)]
 
 
+def contacts_told(touched: int, ended: int, count: int) -> str:
+    """In how many outcomes there was contact, of those that have ended of so many.
+
+    What is no final count does not read like one; before the first has ended there is nothing to
+    tell.
+    """
+    if ended == count:
+        return f"{touched} of {count} with contact"
+    return f"{touched} of {ended} so far" if ended else ""
+
+
 def seconds_each(count: int) -> float:
     """How long each of so many outcomes takes to play, s.
 

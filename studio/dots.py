@@ -10,6 +10,7 @@ decision-making", CHI 2018 (one dot an outcome).
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +22,9 @@ from studio.painter.plots import round_range
 
 BINS = 24
 """Of a dot plot."""
+
+APART = 2
+"""So many bins at the left of a dot plot set its lowest value apart: its own, and an empty one."""
 
 DOT_RADIUS = 0.42
 """Of a dot, in pitches; a pitch is the distance from one dot to the next."""
@@ -38,23 +42,52 @@ class Measure:
         values: [A, K].
         low: left end of the axis, 0 unless there are values below.
         high: right end of the axis.
+        apart: how many bins come before those of the axis: 0, or `APART` if the first of all is
+            for nothing but the lowest value.
     """
 
     names: tuple[str, ...]
     values: FloatArray
     low: float
     high: float
+    apart: int = 0
+
+    def bins(self) -> NDArray[np.int64]:
+        """The bin that each outcome falls into, [A, K]."""
+        shares = (self.values - self.low) / (self.high - self.low)
+        along = BINS - self.apart
+        # a value on the edge of two bins counts in the right one, whatever rounding does to it
+        bins = self.apart + np.clip(np.floor(shares * along + 1e-9), 0, along - 1).astype(np.int64)
+        return np.where(self.values <= self.low, 0, bins)
+
+    def at(self, value: float) -> float:
+        """Where a value lies on the axis, as a share of the width of the plot."""
+        if self.apart and value <= self.low:
+            return 0.5 / BINS
+        share = (value - self.low) / (self.high - self.low)
+        return (self.apart + share * (BINS - self.apart)) / BINS
+
+    def lines(self) -> list[tuple[float, float]]:
+        """From where to where the axis runs, as shares of the width of the plot.
+
+        It is broken where a bin is set apart.
+        """
+        own = [(0.0, 1.0 / BINS)] if self.apart else []
+        return [*own, (self.apart / BINS, 1.0)]
 
 
 def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
-    """What to show of outcomes: progress, and the gap to people if there are any."""
+    """What to show of outcomes: progress, and the gap to people if there are any.
+
+    A gap of 0, the robot touching somebody, is set apart from however small a gap.
+    """
     progress, gap = rollouts.progress_m, rollouts.clearance_m
     ends = round_range(min(0.0, float(progress.min())), float(progress.max()))
     shown = [Measure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)]
     if rollouts.scene.pedestrians:
         ends = round_range(0.0, max(float(gap.max()), 0.1))
         names = ("smallest gap to a person, m", "gap to a person, m", "gap")
-        shown.append(Measure(names, gap, *ends))
+        shown.append(Measure(names, gap, *ends, APART))
     return tuple(shown)
 
 
@@ -121,11 +154,17 @@ class DotScale:
     pitch: float
 
     @classmethod
+    def fit_all(
+        cls, shown: Sequence[Measure], width: float, height: float, largest_pitch: float
+    ) -> "list[DotScale]":
+        """Scales of several measures with dots of one size, the largest that suits them all."""
+        pitches = [cls.fit(measure, width, height, largest_pitch).pitch for measure in shown]
+        return [cls.fit(measure, width, height, min(pitches)) for measure in shown]
+
+    @classmethod
     def fit(cls, measure: Measure, width: float, height: float, largest_pitch: float) -> "DotScale":
         """The scale with the largest dots at which the tallest stack stays in the room."""
-        shares = (measure.values - measure.low) / (measure.high - measure.low)
-        # a value on the edge of two bins counts in the right one, whatever rounding does to it
-        bins = np.clip(np.floor(shares * BINS + 1e-9), 0, BINS - 1).astype(np.int64)
+        bins = measure.bins()
         tallest = max(int(np.bincount(row).max()) for row in bins)
 
         def pitch(abreast: int) -> float:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import Rollouts
-from studio.comparison import QUESTION, SIDES, Comparison
+from studio.comparison import QUESTION, SIDES, Comparison, contacts_told
 from studio.dots import DotScale, Measure, measures
 from studio.naming import counted
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
@@ -172,15 +172,15 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
 
 
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
-    """Draw what does not move in a scene."""
+    """Draw what does not move in a scene, but for the goal itself, which lies above people."""
     inside = canvas.clipped(view.box)
     draw_ground(inside, view)
     draw_walls(inside, view, rollouts.scene)
-    goal = draw_goal(inside, view, rollouts.scene.robot.goal)
     # where little of what comes will lie, on either side
     busy, paths = inside.copy(), view.to_pixels(np.concatenate(rollouts.robot))
     busy.faint_paths(list(paths), canvas.theme.ink, 2 * canvas.unit, 0.5)
     draw_people(busy, view, rollouts.scene.starts)
+    goal = draw_goal(busy, view, rollouts.scene.robot.goal)
     label = goal_label(canvas, goal, (1.0, 0.0))
     [box] = place([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
     if box is not None:
@@ -191,9 +191,9 @@ def _draw_plots(canvas: Canvas, sides: tuple[Box, ...], rollouts: Rollouts) -> t
     """Draw the axes of the measures, side by side on each side."""
     shown, plots = measures(rollouts), []
     rooms = [side.columns([1.0] * len(shown), _GAP * canvas.unit) for side in sides]
-    for measure, both in zip(shown, zip(*rooms, strict=True), strict=True):
-        room = both[0]
-        scale = DotScale.fit(measure, room.width, room.height, _DOT_PITCH * canvas.unit)
+    room = rooms[0][0]
+    scales = DotScale.fit_all(shown, room.width, room.height, _DOT_PITCH * canvas.unit)
+    for measure, scale, both in zip(shown, scales, zip(*rooms, strict=True), strict=True):
         for room in both:
             draw_dot_axis(canvas, room, measure)
         plots.append(Plot(measure, scale, both))
@@ -257,17 +257,16 @@ class Show:
             page.icons[side].draw(canvas, touched, count - touched, colour)
             for plot in self._plots[side]:
                 plot.draw(canvas, count, colour)
-            self._counts[side] = f"{touched} of {total} with contact"
+            self._counts[side] = contacts_told(touched, count, total)
 
     def write(self, legends: Sequence[str]) -> None:
         """Write how many outcomes had contact, and a legend, the longest wording first."""
         canvas, page, kind = self.canvas, self._page, self.canvas.type
         canvas.texts[:] = page.canvas.texts
-        for (
-            box,
-            told,
-        ) in zip(page.counts, self._counts, strict=True):
+        for box, told in zip(page.counts, self._counts, strict=True):
             canvas.restore(page.canvas, box)
+            if not told:
+                continue
             ink = canvas.theme.faint if told.startswith("0 ") else canvas.theme.contact
             at = (box.left, box.centre[1])
             canvas.text(at, told, kind.heading, ink, SEMIBOLD)

@@ -100,6 +100,21 @@ class DotPlot:
             cell.disc(at, DOT_RADIUS * scale.pitch, shade)
 
 
+@dataclass(frozen=True)
+class DotAxis(Axis):
+    """The axis of a measure, whose lowest value may be set apart.
+
+    Attributes:
+        measure: what lies along it.
+    """
+
+    measure: Measure
+
+    def at(self, value: float) -> float:
+        """Where a value lies, px."""
+        return self.start + self.measure.at(value) * (self.end - self.start)
+
+
 def has_dots(scale: DotScale) -> bool:
     """Whether there is room for dots of a scale in px, or bars stand for them."""
     return scale.pitch >= _SMALLEST_PITCH
@@ -108,9 +123,10 @@ def has_dots(scale: DotScale) -> bool:
 def draw_dot_axis(canvas: Canvas, room: Box, measure: Measure) -> None:
     """Draw the axis under the room for dots (px), its ticks, and below them what it measures."""
     unit, small = canvas.unit, canvas.type.small
-    line = Box(room.left, room.bottom, room.right, room.bottom + canvas.hair)
-    canvas.fill(line, canvas.theme.faint)
-    axis = Axis(measure.low, measure.high, room.left, room.right)
+    for start, end in measure.lines():
+        left, right = room.left + start * room.width, room.left + end * room.width
+        canvas.fill(Box(left, room.bottom, right, room.bottom + canvas.hair), canvas.theme.faint)
+    axis = DotAxis(measure.low, measure.high, room.left, room.right, measure)
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
     name = canvas.fitted(measure.names, room.width, small)

@@ -16,6 +16,7 @@ from studio.painter.canvas import Canvas, FloatArray, View, tinted
 from studio.painter.film_crowd import between
 from studio.painter.stage import (
     draw_contacts,
+    draw_goal,
     draw_groups,
     draw_people,
     draw_robot,
@@ -86,6 +87,8 @@ class OutcomeScene:
     def _draw_everybody(self, pose: FloatArray, people: FloatArray, colour: Colour) -> None:
         draw_groups(self._canvas, self._view, self._scene, people)
         draw_people(self._canvas, self._view, people)
+        # above people: who stands on the goal must not hide it
+        draw_goal(self._canvas, self._view, self._scene.robot.goal)
         draw_robot(self._canvas, self._view, pose, colour)
 
 

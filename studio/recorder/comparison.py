@@ -95,8 +95,11 @@ def story_side(comparison: Comparison, side: int) -> rrb.Container:
         f"{SIDES[side]}: {short(name)} (grid of 1 m)",
         gathering=[f"{story}/paths"],
     )
-    told = f"{SIDES[side]}: {counted(count, 'outcome')}, one at a time; a dot: one outcome"
-    figure = drawn_view([f"{dots}/**"], BOUNDS, told, gathering=[f"{dots}/outcomes"])
+    dot = "a dot: one outcome; red: contact"
+    told = f"{SIDES[side]}: {counted(count, 'outcome')}, one at a time; {dot}"
+    figure = drawn_view(
+        [f"{dots}/**"], BOUNDS, told, gathering=[f"{dots}/outcomes", f"{dots}/contacts"]
+    )
     return rrb.Vertical(world, figure, row_shares=[10, 9])
 
 

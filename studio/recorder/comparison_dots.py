@@ -10,6 +10,7 @@ import rerun as rr
 from numpy.typing import NDArray
 
 from scenes import Rollouts
+from studio.comparison import OPENING, contacts_told, seconds_each
 from studio.dots import DOT_RADIUS, DotScale, IconGrid, measures
 from studio.framing import Bounds
 from studio.judgements import FloatArray
@@ -30,7 +31,10 @@ DOTS_HEIGHT, DOT_PITCH, GAP = 0.21, 0.02, 0.08
 """Of the dot plots, whose pitch is at most this, and between them, in units of the page."""
 
 COUNT_WIDTH = 0.22
-"""About the width of the words that count contacts, in units of the page."""
+"""About the width of the words right of the icons, in units of the page."""
+
+PLAYING_HEIGHT, COUNT_HEIGHT = 0.33, 0.29
+"""Where it says which outcome plays, and how many had contact, in units of the page."""
 
 
 def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -46,32 +50,47 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
     ranks = np.where(contact, contact.cumsum() - 1, len(contact) - (~contact).cumsum())
     pale = blend(colour, theme.panel, 0.5)
     shades = np.where(contact[:, None], theme.contact, pale)
-    places, colours, radii = [icons[ranks]], [shades], [np.full(len(contact), radius)]
+    places, colours, radii = [icons[ranks]], [shades], [radius]
+    lowest = []
 
     axes, shown = Drawing(lift=0.02), measures(rollouts)
     width = (1.0 - GAP * (len(shown) - 1)) / len(shown)
-    for column, measure in enumerate(shown):
+    scales = DotScale.fit_all(shown, width, DOTS_HEIGHT, DOT_PITCH)
+    for column, (measure, scale) in enumerate(zip(shown, scales, strict=True)):
         left = column * (width + GAP)
-        axes.line([(left, 0.0), (left + width, 0.0)], theme.faint, 1.0)
+        for start, end in measure.lines():
+            ends_of_line = [(left + start * width, 0.0), (left + end * width, 0.0)]
+            axes.line(ends_of_line, theme.faint, 1.0)
         for tick in ticks(measure.low, measure.high, 5):
-            share = (tick - measure.low) / (measure.high - measure.low)
-            axes.text((left + share * width, -0.035), number(tick))
+            axes.text((left + measure.at(tick) * width, -0.035), number(tick))
         axes.text((left + width / 2, -0.085), measure.names[0])
-        scale = DotScale.fit(measure, width, DOTS_HEIGHT, DOT_PITCH)
-        places.append(np.array([left, 0.0]) + piled_up(scale, side))
-        colours.append(np.where(contact[:, None], theme.contact, colour))
-        radii.append(np.full(len(contact), DOT_RADIUS * scale.pitch))
+        highest, covering = piled_up(scale, side, contact)
+        places.append(np.array([left, 0.0]) + highest)
+        lowest.append(np.array([left, 0.0]) + covering)
+        # red at once where there is nothing to cover
+        alone = contact & (highest == covering).all(axis=-1)
+        colours.append(np.where(alone[:, None], theme.contact, colour))
+        radii.append(DOT_RADIUS * scale.pitch)
     axes.log(stream, path)
-    each = [len(places)] * len(contact)
+    when = story_times(ends(len(contact)))
     stream.log(f"{path}/outcomes", rr.Points2D.from_fields(draw_order=40.0), static=True)
     stream.send_columns(
         f"{path}/outcomes",
-        [story_times(ends(len(contact)))],
+        [when],
         rr.Points2D.columns(
             positions=np.stack(places, axis=1).reshape(-1, 2),
             colors=np.stack(colours, axis=1).reshape(-1, 3).astype(np.uint8),
-            radii=np.stack(radii, axis=1).ravel(),
-        ).partition(each),
+            radii=np.tile(radii, len(contact)),
+        ).partition([len(places)] * len(contact)),
+    )
+    style = rr.Points2D.from_fields(colors=theme.contact, radii=radii[-1], draw_order=50.0)
+    stream.log(f"{path}/contacts", style, static=True)
+    stream.send_columns(
+        f"{path}/contacts",
+        [when],
+        rr.Points2D.columns(positions=np.stack(lowest, axis=1)[contact].reshape(-1, 2)).partition(
+            np.where(contact, len(lowest), 0)
+        ),
     )
     log_count(stream, f"{path}/count", contact, grid.width, theme)
 
@@ -83,29 +102,51 @@ def log_count(
     left: float,
     theme: Theme,
 ) -> None:
-    """Count the outcomes with contact, in words right of the icons."""
-    counts = [0, *contact.cumsum().tolist()]
-    place = (left + COUNT_WIDTH / 2, ICONS_TOP - ICONS_HEIGHT / 2 + 0.02)
+    """Say right of the icons which outcome plays, and count those so far with contact."""
+    count, middle = len(contact), left + COUNT_WIDTH / 2
+    when, labels = [], []
+    counted = contacts_told(0, 0, count)
+    touched = contact.cumsum().tolist()
+    for outcome, end in enumerate(ends(count).tolist()):
+        playing = f"Outcome {outcome + 1} of {count}"
+        when += [OPENING + outcome * seconds_each(count), end]
+        labels.append([playing, counted])
+        counted = contacts_told(touched[outcome], outcome + 1, count)
+        labels.append([playing, counted])
+    when.append(OPENING + count * seconds_each(count))
+    labels.append(["", counted])
     stream.log(
         path,
         rr.LineStrips2D.from_fields(radii=0.0, colors=theme.ink, show_labels=True),
         static=True,
     )
+    places = [[(middle, height)] * 2 for height in (PLAYING_HEIGHT, COUNT_HEIGHT)]
     stream.send_columns(
         path,
-        [story_times(np.append(0.0, ends(len(contact))))],
+        [story_times(np.array(when))],
         rr.LineStrips2D.columns(
-            strips=[[place, place]] * len(counts),
-            labels=[f"{count} of {len(contact)} with contact" for count in counts],
-        ),
+            strips=places * len(labels), labels=[words for both in labels for words in both]
+        ).partition([2] * len(labels)),
     )
 
 
-def piled_up(scale: DotScale, side: int) -> FloatArray:
-    """Where the dot of each outcome lands if they come one by one, [K, 2]."""
+def piled_up(
+    scale: DotScale, side: int, contact: NDArray[np.bool_]
+) -> tuple[FloatArray, FloatArray]:
+    """Where dots appear when outcomes come one by one, so that contacts always lie below.
+
+    Dots that are there stay. So every outcome puts a dot on top of its stack, and one with contact
+    covers the lowest dot that is not red yet, which the one on top makes up for.
+
+    Returns:
+        The tops, [K, 2], and the lowest places that are not red, [K, 2].
+    """
     landed: defaultdict[int, int] = defaultdict(int)
-    places = []
-    for place in scale.bins[side].tolist():
-        places.append(scale.place(place, landed[place]))
+    red: defaultdict[int, int] = defaultdict(int)
+    tops, lowest = [], []
+    for place, touched in zip(scale.bins[side].tolist(), contact.tolist(), strict=True):
+        tops.append(scale.place(place, landed[place]))
+        lowest.append(scale.place(place, red[place]))
         landed[place] += 1
-    return np.array(places)
+        red[place] += touched
+    return np.array(tops), np.array(lowest)

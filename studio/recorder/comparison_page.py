@@ -35,8 +35,8 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
             "somebody or a wall. Space stops the play and lets it go on.",
             "* Below, a dot joins the others when an outcome has ended: in the array of all "
             "outcomes, contacts from the left and the rest from the right; by how much closer the "
-            "robot came to its goal; and by the smallest gap to a person. Both sides have the "
-            "same axes. Red is contact.",
+            "robot came to its goal; and by the smallest gap to a person, touching apart from "
+            "however near a miss. Both sides have the same axes. Red is contact.",
             "* All at once: every outcome in the same world. Choose the timeline `sim_time` to "
             "see them move.",
             "",

@@ -8,7 +8,7 @@ import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.comparison import QUESTION, compare
-from studio.dots import DotScale, Measure
+from studio.dots import DotScale, Measure, measures
 from studio.errors import InputError, RunError
 from studio.painter.canvas import Box, Canvas
 from studio.painter.comparison import (
@@ -191,7 +191,44 @@ def test_dots_of_every_outcome_find_room(count):
             assert 23 / 24 * room.width < across < room.width
 
 
+def test_touching_a_person_has_a_bin_of_its_own_and_ticks_lie_where_their_values_do():
+    rollouts = a_comparison(rollouts=4).rollouts
+    gaps = np.array([[0.0, 1e-9, 0.5, 1.0], [0.0, 0.0, 0.99, 0.25]])
+    _, gap = measures(dataclasses.replace(rollouts, clearance_m=gaps))
+    bins = gap.bins()
+    assert ((bins == 0) == (gaps == 0.0)).all()
+    assert bins[0, 1] > 1  # apart from it
+    for value, place in zip(gaps.ravel(), bins.ravel(), strict=True):
+        assert place / 24 - 1e-9 <= gap.at(value) <= (place + 1) / 24 + 1e-9
+    assert not any(start <= 1.5 / 24 <= end for start, end in gap.lines())
+
+
+def test_dots_of_both_measures_are_of_one_size(comparison):
+    crowded = np.tile([[0.3] * 25 + [1.0] * 25], (2, 1))
+    shown = [
+        Measure(("x",), np.tile(np.linspace(0.0, 1.0, 50), (2, 1)), 0.0, 1.0),
+        Measure(("y",), crowded, 0.0, 1.0),
+    ]
+    first, second = DotScale.fit_all(shown, 300.0, 120.0, 15.0)
+    assert first.pitch == second.pitch
+    assert second.pitch == DotScale.fit(shown[1], 300.0, 120.0, 15.0).pitch
+    assert len({plot.scale.pitch for plot in lay_out(comparison, SIZE).plots}) == 1
+
+
 # The film
+
+
+@pytest.mark.parametrize("draw", [rest, lambda page: next(play(page, Pace.of(1, 10), range(1)))])
+def test_who_stands_on_the_goal_does_not_hide_it(draw):
+    standing = Pedestrian((1.5, 0.0), (1.5, 0.0), desired_speed=0.0)
+    scene = Scene("a-scene", Robot((0.0, 0.0), (1.5, 0.0)), (standing,))
+    page = lay_out(compare(simulate(scene, rollouts=1, horizon=0.5), *NAMES), SIZE)
+    canvas = draw(page)
+    for view in page.views:
+        x, y = view.to_pixels((1.5, 0.0)).astype(int)
+        assert (canvas.pixels[y, x] == LIGHT.ink).all()
+        beside = canvas.pixels[y - 20 : y + 20, x - 20 : x + 20]
+        assert (beside == LIGHT.pedestrian).all(axis=-1).any()
 
 
 @pytest.fixture(scope="module")
@@ -237,14 +274,17 @@ def test_a_part_that_starts_later_goes_on_where_the_one_before_it_stopped(size):
 
 def test_counts_grow_as_outcomes_come_to_their_end(comparison):
     page, pace = lay_out(comparison, SIZE), Pace.of(5, 10)
-    assert "0 of 5 with contact" in texts(rest(page))
+    assert not any("contact" in text or "so far" in text for text in texts(rest(page)))
     told = [texts(canvas) for canvas in play(page, pace, range(5))]
     touched = comparison.rollouts.contact_step[0] >= 0
     for outcome in range(5):
         start, end = told[outcome * pace.frames], told[(outcome + 1) * pace.frames - 1]
         assert any(text.startswith(f"Outcome {outcome + 1} of 5") for text in start)
-        assert f"{touched[:outcome].sum()} of 5 with contact" in start
-        assert f"{touched[: outcome + 1].sum()} of 5 with contact" in end
+        so_far = f"{touched[:outcome].sum()} of {outcome} so far"
+        assert (so_far in start) == (outcome > 0)
+        ended = "5 with contact" if outcome == 4 else f"{outcome + 1} so far"
+        assert f"{touched[: outcome + 1].sum()} of {ended}" in end
+        assert sum(text.endswith(ended) for text in end) == 2
     check_texts(rest(page))
 
 

@@ -182,9 +182,19 @@ def test_paths_and_dots_come_one_outcome_at_a_time(entities, comparison):
     when = [time.total_seconds() for time in paths["story"]]
     assert when == pytest.approx([2.2, 4.2, 6.2, 8.2])
     counts = entities[f"/figures/dots/{left}/count"]["LineStrips2D:labels"]
-    assert [words for [words] in counts] == [
-        f"{count} of 4 with contact" for count in (0, 1, 1, 2, 2)
+    assert counts == [
+        ["Outcome 1 of 4", ""],
+        ["Outcome 1 of 4", "1 of 1 so far"],
+        ["Outcome 2 of 4", "1 of 1 so far"],
+        ["Outcome 2 of 4", "1 of 2 so far"],
+        ["Outcome 3 of 4", "1 of 2 so far"],
+        ["Outcome 3 of 4", "2 of 3 so far"],
+        ["Outcome 4 of 4", "2 of 3 so far"],
+        ["Outcome 4 of 4", "2 of 4 with contact"],
+        ["", "2 of 4 with contact"],
     ]
+    when = [time.total_seconds() for time in entities[f"/figures/dots/{left}/count"]["story"]]
+    assert when == pytest.approx([0.6, 2.2, 2.6, 4.2, 4.6, 6.2, 6.6, 8.2, 8.6])
     icons = np.array(entities[f"/figures/dots/{left}/outcomes"]["Points2D:positions"])[:, 0]
     waiting = np.array(entities[f"/figures/dots/{left}/waiting"]["Points2D:positions"])[0]
     np.testing.assert_allclose(icons, waiting[[0, 3, 1, 2]])
@@ -202,6 +212,38 @@ def test_dots_lie_at_their_values_on_an_axis_that_both_sides_share(entities, com
     assert np.abs(across - (slope * values + offset)).max() < 0.46 / 24
     axes = [entities[f"/figures/dots/{name}"] for name in names(comparison)]
     assert axes[0]["LineStrips2D:labels"] == axes[1]["LineStrips2D:labels"]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_red_dots_lie_below_the_others_at_any_time(seed, tmp_path):
+    rng = np.random.default_rng(seed)
+    comparison = a_comparison(rollouts=12, horizon=0.2)
+    comparison = replace(
+        comparison,
+        rollouts=replace(
+            comparison.rollouts,
+            contact_step=rng.choice([-1, 1], (2, 12)),
+            progress_m=rng.choice([0.1, 0.9], (2, 12)),
+        ),
+    )
+    entities = read(write(tmp_path / "test.rrd", comparison))
+    for side, name in enumerate(names(comparison)):
+        dots = entities[f"/figures/dots/{name}/outcomes"]
+        contacts = entities[f"/figures/dots/{name}/contacts"]["Points2D:positions"]
+        red, seen = int.from_bytes([*LIGHT.contact, 255]), {}
+        covered = {}
+        for outcome in range(12):
+            row = dots["Points2D:positions"][outcome], dots["Points2D:colors"][outcome]
+            seen |= {tuple(place): colour for place, colour in zip(*row, strict=True)}
+            covered |= {tuple(place): red for place in contacts[outcome]}
+            shown = seen | covered
+            assert len(shown) == len(seen) == 3 * (outcome + 1)
+            touched = comparison.rollouts.contact_step[side, : outcome + 1] >= 0
+            assert sum(colour == red for colour in shown.values()) == 3 * touched.sum()
+            in_plots = [(x, y, colour == red) for (x, y), colour in shown.items() if y < 0.22]
+            for x, y, is_red in in_plots:
+                below = [other[2] for other in in_plots if other[0] == x and other[1] < y]
+                assert all(below) or not is_red
 
 
 def test_the_reference_names_every_entity_and_component(entities, comparison):
