@@ -41,8 +41,7 @@ class Results:
         table: one row a fit, of the whole study.
         teachers: who were learned from, as many as there is room for.
         left_out: how many more there are.
-        reached: how many pairs were learned from; between two sizes, learners still think what
-            the smaller one taught them.
+        reached: how many pairs were learned from.
         whole: the results of the whole study, if these are a part of it: what is worked out there
             is not worked out again.
     """
@@ -227,8 +226,7 @@ class Results:
         said = []
         if seeds > 1:
             said.append(
-                f"Regret and picks: mean over {seeds} seeds, band: its 95 % bootstrap interval, "
-                "whiskers: ± 1 standard deviation"
+                f"Regret and picks: mean over {seeds} seeds, band: its 95 % bootstrap interval"
             )
             if len(self.learners) > 1:
                 said.append(f"[ ]: 95 % interval of the paired difference at {most}")
