@@ -120,7 +120,7 @@ def _draw_curves(
     )
     labels_beside(canvas, panel, up.at, marks)
     plot = Box(panel.left, panel.top, panel.right - room, panel.bottom)
-    written = labels_below(canvas, plot, across.at, sizes, "")
+    written = labels_below(canvas, panel, across.at, sizes, "")
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")

@@ -191,6 +191,19 @@ def test_the_page_says_what_bands_are_where_there_are_some():
     assert "interval" not in " ".join(texts_of(compose_learning_picture(*case(seeds=1))))
 
 
+def test_the_page_says_what_is_short_for_what():
+    said = " ".join(texts_of(compose_learning_picture(*case())))
+    for words in ("cumulative prospect theory", "λ: loss aversion", "logarithmic", "% points"):
+        assert words in said
+    plain = " ".join(texts_of(compose_learning_picture(*case(learners=("eu",)))))
+    assert "loss aversion" not in plain
+
+
+def test_every_number_of_pairs_is_named_below_the_regret():
+    texts = texts_of(compose_learning_picture(*case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
+    assert texts.count("1000") >= 3
+
+
 def test_fits_that_did_not_converge_are_counted():
     table, teachers = case()
     converged = [index % 9 != 0 for index in range(table.num_rows)]
