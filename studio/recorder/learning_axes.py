@@ -98,11 +98,15 @@ def key_left(words: Iterable[str]) -> float:
 
 
 def draw_key(
-    drawing: Drawing, entries: Iterable[tuple[str, Colour | None]], left: float, top: float
+    drawing: Drawing,
+    entries: Iterable[tuple[str, Colour | None]],
+    left: float,
+    top: float,
+    step: float = KEY_STEP,
 ) -> None:
     """Say what the lines stand for; what has no colour is the teacher's, dark and dashed."""
     for row, (words, colour) in enumerate(entries):
-        y = top - KEY_STEP * row
+        y = top - step * row
         ends = np.array([(left, y), (left + 0.08, y)])
         if colour is None:
             drawing.dashes(ends, LIGHT.ink, 2.5)

@@ -251,9 +251,10 @@ def _families_explained(results: Results, teacher: Teacher) -> list[str]:
     return [
         f"* [Families]({_target(teacher, FAMILIES)}): the same regret by kind of scene. A dot is a "
         "scene that was held out, those without regret in a box at the left; the large dot is the "
-        "mean of the family over seeds, the line its 95 % interval. Ringed are the scenes that "
-        f"[the page beside](recording://{entities.SCENES}) tells of, with links to their own "
-        "recordings."
+        "mean of the family over seeds, the line its 95 % interval. All are in % of what a random "
+        "action costs in the family, on average over its scenes. Ringed and numbered are the "
+        f"scenes that [the page beside](recording://{entities.SCENES}) tells of, with links to "
+        "their own recordings."
     ]
 
 
