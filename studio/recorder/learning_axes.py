@@ -15,7 +15,7 @@ from studio.recorder.drawing import Drawing
 LIFT = 0.03
 """How much higher than their places texts are put, in units of the page."""
 
-KEY_STEP = 0.085
+KEY_STEP = 0.1
 """Between the rows of a key, in units of the page."""
 
 KEY_INDENT = 0.14
@@ -98,15 +98,11 @@ def key_left(words: Iterable[str]) -> float:
 
 
 def draw_key(
-    drawing: Drawing,
-    entries: Iterable[tuple[str, Colour | None]],
-    left: float,
-    top: float,
-    step: float = KEY_STEP,
+    drawing: Drawing, entries: Iterable[tuple[str, Colour | None]], left: float, top: float
 ) -> None:
     """Say what the lines stand for; what has no colour is the teacher's, dark and dashed."""
     for row, (words, colour) in enumerate(entries):
-        y = top - step * row
+        y = top - KEY_STEP * row
         ends = np.array([(left, y), (left + 0.08, y)])
         if colour is None:
             drawing.dashes(ends, LIGHT.ink, 2.5)

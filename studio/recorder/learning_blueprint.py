@@ -90,7 +90,7 @@ def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
                 parameter_bounds(results),
                 "θ/|θ| and parameters (dark mark: truth)",
             ),
-            row_shares=[8, 10],
+            row_shares=[18, 19],
         ),
         column_shares=[2, 1],
         name=_called(teacher),

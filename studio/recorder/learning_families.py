@@ -13,7 +13,7 @@ from studio.naming import counted, learner_name, short
 from studio.palette import LIGHT, blend, learner_colour
 from studio.recorder import learning_entities as entities
 from studio.recorder.drawing import Drawing
-from studio.recorder.learning_axes import LIFT, Scale, draw_key, ratio_scale
+from studio.recorder.learning_axes import KEY_STEP, LIFT, Scale, draw_key, ratio_scale
 from studio.recorder.learning_results import FAMILY_COLUMNS, Results
 
 FAMILIES = "families"
@@ -25,9 +25,6 @@ the words beside it need."""
 
 ROOM = 2.4
 """Height that all strips share as long as they need no more, in units of the page."""
-
-KEY_ROW = 0.11
-"""Height of a row of the key, in units of the page."""
 
 HEADING = 0.13
 """Height of the name of a family above its strips, in units of the page."""
@@ -99,7 +96,7 @@ class FamilyFigure:
     @property
     def bounds(self) -> Bounds:
         """What a view of the figure must show."""
-        return -0.06, -0.3, 1.26, self.height + KEY_ROW * len(self.learners) + 0.06
+        return -0.06, -0.3, 1.26, self.height + KEY_STEP * len(self.learners) + 0.06
 
 
 def family_figure(results: Results) -> FamilyFigure:
@@ -166,8 +163,7 @@ def draw_strips(drawing: Drawing, results: Results, figure: FamilyFigure) -> Non
     entries = [
         (f"{learner_name(learner)} learner", learner_colour(learner)) for learner in figure.learners
     ]
-    top = figure.height + KEY_ROW * (len(entries) - 0.5)
-    draw_key(drawing, entries, 0.0, top, KEY_ROW)
+    draw_key(drawing, entries, 0.0, figure.height + KEY_STEP * (len(entries) - 0.5))
 
 
 def draw_scenes(

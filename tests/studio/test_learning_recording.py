@@ -36,7 +36,7 @@ from studio.recorder.learning_axes import (
     ratio_scale,
     round_ticks,
 )
-from studio.recorder.learning_curves import REGRET
+from studio.recorder.learning_curves import AGREEMENT, REGRET
 from studio.recorder.learning_families import NOTHING, family_figure, scene_percents
 from studio.recorder.learning_minds import value_figure, visible
 from studio.recorder.learning_results import CURVE_COLUMNS, FAMILY_COLUMNS, Results
@@ -369,6 +369,7 @@ def test_pages_tell_the_numbers_of_their_time(recording: Path, table: pa.Table) 
     for place, rows in enumerate(page["TextDocument:text"]):
         assert f"T&K after {SIZES[place]} pairs" in rows[0]
         assert f"{curve.mean[place]:.2f} ± {curve.std[place]:.2f}" in rows[0]
+        assert "bands: 95 % intervals of the means" in rows[0]
 
 
 def test_the_summary_has_the_table_of_regrets(recording: Path, table: pa.Table) -> None:
@@ -534,6 +535,18 @@ def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
     settings: Any = {"unloggable": object()}
     with pytest.raises(ValueError, match="arrow"):
         write_learning_recording(tmp_path / "learning.rrd", table, PAIR, settings)
+
+
+@pytest.mark.parametrize("lowest", [0.0, 0.57, 0.74, 0.9, 0.999, 1.0])
+def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: float) -> None:
+    table = make_table(PAIR[:1], ["eu"], [25], 1)
+    place = table.column_names.index("agreement")
+    table = table.set_column(place, STUDY_SCHEMA.field("agreement"), pa.array([lowest]))
+    ticks = AGREEMENT.axes(Results(table, PAIR)).y.ticks
+    assert ticks[-1] == 1.0
+    assert ticks[0] <= lowest + 1e-9
+    assert 2 <= len(ticks) <= 11
+    assert ticks[1] - ticks[0] < max(0.011, (1.0 - lowest) / 3.0)
 
 
 @pytest.mark.parametrize(
