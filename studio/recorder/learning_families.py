@@ -178,15 +178,18 @@ def draw_scenes(
     percents = scene_percents(results, teacher, regrets)
     aside, along = np.modf(np.outer(np.arange(len(percents)), _SPREADING))[0].T
     x = np.where(percents > 0.0, figure.across(percents), NOTHING * (0.06 + 0.88 * along))
-    places = zip(regrets.scenes.tolist(), x, aside, strict=True)
     telling = results.telling[teacher.name]
     ringed = {}
-    for scene, across, share in places:
+    for scene, percent, across, share in zip(
+        regrets.scenes.tolist(), percents, x, aside - 0.5, strict=True
+    ):
         middle = figure.strip(results.scenes[scene].family, regrets.learner)
-        spot = (float(across), middle + 0.8 * figure.strip_height * (share - 0.5))
         if scene in telling:
-            ringed[scene] = spot
+            # so that numbers keep off the names of families and off most dots
+            ring = float(across) if percent > 0.0 else 0.8 * NOTHING
+            ringed[scene] = (ring, middle + 0.5 * figure.strip_height * share)
         else:
+            spot = (float(across), middle + 0.8 * figure.strip_height * share)
             drawing.dot(spot, colour, 4.0)
     for scene, (across, up) in ringed.items():
         drawing.dot((across, up), LIGHT.ink, 9.0)
