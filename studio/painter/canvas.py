@@ -217,11 +217,6 @@ class Canvas:
         """Make a box look as it does on another page of the same size."""
         self.clipped(box).pixels[:] = still.clipped(box).pixels
 
-    def clear(self, box: Box) -> None:
-        """Make a box empty again, and forget the texts that lie in it."""
-        self.fill(box, self.theme.ground)
-        self.texts[:] = [placed for placed in self.texts if not placed.box.overlaps(box)]
-
     # Shapes
 
     def fill(self, box: Box, colour: Colour) -> None:

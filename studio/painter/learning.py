@@ -171,19 +171,12 @@ def draw_page(page: Page, results: Results) -> Canvas:
             draw_shapes(canvas, column.shapes, results, teacher, scales)
         draw_parameters(canvas, column.parameters, results, teacher, scales)
         draw_calibration(canvas, column.calibration, results, teacher, scales)
-        draw_progress(canvas, column, results, scales)
+        draw_regret(canvas, column.regret, results, teacher, scales)
+        draw_agreement(canvas, column.agreement, results, teacher, scales)
     for index, line in enumerate(_notes(canvas, page.notes, results)):
         top = page.notes.top + index * _NOTE_STEP * kind.small
         canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
     return canvas
-
-
-def draw_progress(canvas: Canvas, column: Column, results: Results, scales: Scales) -> None:
-    """Draw the curves of one teacher anew, as far as the results go."""
-    for box, draw in ((column.regret, draw_regret), (column.agreement, draw_agreement)):
-        # letters may reach a little over the box that holds their line
-        canvas.clear(box.inset(-0.2 * canvas.type.small))
-        draw(canvas, box, results, column.teacher, scales)
 
 
 def _count(results: Results) -> str:

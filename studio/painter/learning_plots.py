@@ -1,4 +1,4 @@
-"""Plots that compare runs: frames with axes, bands, whiskers, and names at the ends of lines."""
+"""Plots that compare runs: frames with axes, bands, and names at the ends of lines."""
 
 import math
 from collections.abc import Callable, Sequence

@@ -4,7 +4,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from learners import Curve, Teacher
 from studio.naming import learner_name, number
@@ -25,7 +24,7 @@ from studio.painter.learning_plots import (
 from studio.painter.learning_results import Results
 from studio.painter.learning_scales import Scales
 from studio.painter.plots import Axis, ticks
-from studio.palette import Colour, blend, learner_colour
+from studio.palette import Colour, learner_colour
 
 
 def draw_regret(
@@ -85,7 +84,7 @@ def _draw_curves(
     scale: float,
     say: Callable[[float], str],
 ) -> int:
-    """Draw curves over the number of pairs, with bands, whiskers and names at their ends.
+    """Draw curves over the number of pairs, with bands, and names at their ends.
 
     They go as far as the results do; their names stand to the right of the farthest end.
 
@@ -121,35 +120,27 @@ def _draw_curves(
     )
     labels_beside(canvas, panel, up.at, marks)
     plot = Box(panel.left, panel.top, panel.right - room, panel.bottom)
-    written = labels_below(canvas, plot, across.at, sizes, "")
+    written = labels_below(canvas, panel, across.at, sizes, "")
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
     begun = [
-        (_Line.of(curve, across, up, scale).up_to(across.at(results.reached)), texts)
+        (_Line.of(curve, reached, across, up, scale), texts[reached - 1])
         for curve, texts in zip(curves, wordings, strict=True)
-        if curve.pairs[0] <= results.reached
+        if (reached := int(np.count_nonzero(curve.pairs <= results.reached)))
     ]
     lines = [line for line, _ in begun]
     part = canvas.clipped(plot)
     for line in lines:
-        if len(line.x) > 1 and (line.runs > 1).any():
+        if len(line.x) > 1 and line.is_mean:
             band(canvas, plot, line.x, line.low, line.high, line.colour)
-    for index, line in enumerate(lines):
-        faint = blend(line.colour, canvas.theme.panel, 0.6)
-        beside = 3.2 * unit * (index - (len(lines) - 1) / 2)
-        for x, y in zip(line.x[line.runs > 1], line.whiskers[line.runs > 1], strict=True):
-            part.line([(x + beside, y[0]), (x + beside, y[1])], faint, canvas.hair)
     for line in lines:
         part.line(np.stack([line.x, line.y], axis=-1), line.colour, 2.6 * unit)
     for line in lines:
-        for x, y in zip(line.x[line.runs > 0], line.y[line.runs > 0], strict=True):
+        for x, y in zip(line.x, line.y, strict=True):
             dot(part, float(x), float(y), line.colour, 3.4)
     left = max((float(line.x[-1]) for line in lines), default=end) + pen
-    labels = [
-        (float(line.y[-1]), texts[np.count_nonzero(line.runs) - 1], line.colour)
-        for line, texts in begun
-    ]
+    labels = [(float(line.y[-1]), texts, line.colour) for line, texts in begun]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
     return len(lines)
 
@@ -160,50 +151,31 @@ class _Line:
 
     Attributes:
         colour: of the learner.
-        runs: [n], how many seeds there are; 0 where the line is on its way to the next mean.
+        is_mean: whether it is a mean over several seeds.
         x: [n], where the numbers of pairs lie.
         y: [n], where the means lie.
         low: [n], lower ends of the intervals of the mean.
         high: [n], upper ends.
-        whiskers: [n, 2], the mean − and + one standard deviation.
     """
 
     colour: Colour
-    runs: NDArray[np.int64]
+    is_mean: bool
     x: FloatArray
     y: FloatArray
     low: FloatArray
     high: FloatArray
-    whiskers: FloatArray
 
     @classmethod
-    def of(cls, curve: Curve, across: LogAxis, up: Axis | LogAxis, scale: float) -> "_Line":
-        """The curve between these axes, its values multiplied by the scale."""
-        spread = np.stack([curve.mean - curve.std, curve.mean + curve.std], axis=-1)
+    def of(
+        cls, curve: Curve, count: int, across: LogAxis, up: Axis | LogAxis, scale: float
+    ) -> "_Line":
+        """The first so many means of a curve between these axes, multiplied by the scale."""
+        means, lows, highs = (values[:count] for values in (curve.mean, curve.low, curve.high))
         return cls(
             learner_colour(curve.learner),
-            curve.runs,
-            across.along(curve.pairs),
-            *(up.along(scale * values) for values in (curve.mean, curve.low, curve.high, spread)),
-        )
-
-    def up_to(self, x: float) -> "_Line":
-        """The line from its first mean as far as x, px."""
-        # a hundredth of a pixel is a matter of rounding
-        passed = max(1, int(np.searchsorted(self.x, x + 0.01)))
-        if passed == len(self.x):
-            return self
-        share = (x - self.x[passed - 1]) / (self.x[passed] - self.x[passed - 1])
-
-        def cut(values: FloatArray) -> FloatArray:
-            end = (1.0 - share) * values[passed - 1] + share * values[passed]
-            kept: FloatArray = np.concatenate([values[:passed], end[None]])
-            return kept
-
-        return _Line(
-            self.colour,
-            np.append(self.runs[:passed], 0),
-            *map(cut, (self.x, self.y, self.low, self.high, self.whiskers)),
+            bool((curve.runs[:count] > 1).any()),
+            across.along(curve.pairs[:count]),
+            *(up.along(scale * values) for values in (means, lows, highs)),
         )
 
 

@@ -41,8 +41,7 @@ class Results:
         table: one row a fit, of the whole study.
         teachers: who were learned from, as many as there is room for.
         left_out: how many more there are.
-        reached: how many pairs were learned from; between two sizes, learners still think what
-            the smaller one taught them.
+        reached: how many pairs were learned from.
         whole: the results of the whole study, if these are a part of it: what is worked out there
             is not worked out again.
     """
@@ -174,9 +173,10 @@ class Results:
             interval = f" [{low}, {high}]" if found.runs[at[0]] > 1 else ""
             pairs = counted(self.sizes[-1], "pair")
             return [
-                f"At {pairs} {times}: {shift} points{interval}",
-                f"{times}: {shift} points{interval}",
-                f"{brief}: {shift} points{interval}",
+                f"At {pairs} {times}: {shift} percentage points{interval}",
+                f"{times}: {shift} percentage points{interval}",
+                f"{times}: {shift} % points{interval}",
+                f"{brief}: {shift} % points{interval}",
                 f"{brief}: {shift}{interval}",
                 f"{brief}: {shift}",
             ]
@@ -227,8 +227,8 @@ class Results:
         said = []
         if seeds > 1:
             said.append(
-                f"Regret and picks: mean over {seeds} seeds, band: its 95 % bootstrap interval, "
-                "whiskers: ± 1 standard deviation"
+                f"Regret (logarithmic axes) and picks: mean over {seeds} seeds, "
+                "band: its 95 % bootstrap interval"
             )
             if len(self.learners) > 1:
                 said.append(f"[ ]: 95 % interval of the paired difference at {most}")
@@ -238,6 +238,11 @@ class Results:
                 f"Weights and value: {learner_name(self.shaped[0])}, a line a seed"
                 + (f" after {shades} pairs" if len(self.sharpening) > 1 else "")
                 + ", dashed: teacher; x in the teacher's units"
+            )
+            said.append(
+                "EU: expected utility, CPT: cumulative prospect theory; "
+                "α, η: curvature of gains and losses, λ: loss aversion, "
+                "γ, δ: weighting of gains' and losses' probabilities"
             )
         each = "a dot a seed, large: mean, " if seeds > 1 else ""
         numbers = "Reward and parameters" if self.shaped else "Reward"

@@ -15,7 +15,7 @@ from studio.recorder.drawing import Drawing
 LIFT = 0.03
 """How much higher than their places texts are put, in units of the page."""
 
-KEY_STEP = 0.085
+KEY_STEP = 0.1
 """Between the rows of a key, in units of the page."""
 
 KEY_INDENT = 0.14

@@ -90,10 +90,10 @@ def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
                 parameter_bounds(results),
                 "θ/|θ| and parameters (dark mark: truth)",
             ),
-            row_shares=[8, 10],
+            row_shares=[18, 19],
         ),
         column_shares=[2, 1],
-        name=short(teacher_name(teacher.name)),
+        name=_called(teacher),
     )
 
 
@@ -103,12 +103,12 @@ def families_tab(results: Results) -> rrb.Container:
     return rrb.Horizontal(
         _beside_one_another(
             [
-                view(teacher, FAMILIES, bounds, f"{_name(teacher)}: regret in held-out scenes")
+                view(teacher, FAMILIES, bounds, f"{_called(teacher)}: regret by family")
                 for teacher in results.teachers
             ]
         ),
         page_view(entities.SCENES, "Scenes"),
-        column_shares=[2, 1],
+        column_shares=[3, 2],
         name="Families",
     )
 
@@ -159,4 +159,8 @@ def _beside_one_another(
 
 
 def _name(teacher: Teacher) -> str:
-    return f"{short(teacher_name(teacher.name))} teacher"
+    return f"{_called(teacher)} teacher"
+
+
+def _called(teacher: Teacher) -> str:
+    return short(teacher_name(teacher.name))

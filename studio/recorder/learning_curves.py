@@ -30,6 +30,12 @@ HEIGHT = 0.95
 LEAST_REGRET = 0.01
 """Smaller regrets, 0 among them, are drawn at this where there is none above, %."""
 
+AGREEMENT_STEPS = (0.01, 0.02, 0.05, 0.1)
+"""From tick to tick of the share of best actions found: the finest with few enough ticks."""
+
+MOST_STEPS = 10
+"""So many steps there are at most, so that the words at ticks do not touch."""
+
 STROKES = 240
 """How many strokes fill a band."""
 
@@ -80,9 +86,11 @@ def regret_scale(curves: Sequence[Curve]) -> Scale:
 
 def agreement_scale(curves: Sequence[Curve]) -> Scale:
     """Of shares of scenes, up to 1."""
-    lowest = min(curve.low.min() for curve in curves)
-    ticks = [tick for tick in (0.0, 0.25, 0.5, 0.75, 1.0) if tick >= lowest - 0.25]
-    return Scale(tuple(ticks), tuple(f"{100 * tick:g} %" for tick in ticks))
+    below = 1.0 - min(curve.low.min() for curve in curves)
+    step = next(step for step in AGREEMENT_STEPS if below <= MOST_STEPS * step)
+    steps = max(1, int(np.ceil(below / step - 1e-9)))
+    ticks = [1.0 - step * place for place in range(steps, -1, -1)]
+    return Scale(tuple(ticks), tuple(f"{100.0 * tick:.0f} %" for tick in ticks))
 
 
 def likelihood_scale(curves: Sequence[Curve]) -> Scale:
@@ -106,7 +114,7 @@ LIKELIHOOD = CurveFigure(
 def log_curve_figure(
     stream: rr.RecordingStream, results: Results, teacher: Teacher, kind: CurveFigure
 ) -> None:
-    """Draw one column: a band for the 95 % interval of the mean, a whisker for ± one std."""
+    """Draw one column: a line for the mean over seeds, a band for its 95 % interval."""
     path, axes = entities.figure(teacher.name, kind.name), kind.axes(results)
     curves = {
         learner: curve
@@ -116,9 +124,8 @@ def log_curve_figure(
     drawing = Drawing(lift=LIFT)
     draw_bands(drawing, axes, curves)
     axes.draw(drawing)
-    for place, (learner, curve) in enumerate(curves.items()):
-        aside = 0.008 * (place - (len(curves) - 1) / 2)
-        draw_curve(drawing, axes, curve, learner, aside)
+    for learner, curve in curves.items():
+        draw_curve(drawing, axes, curve, learner)
     entries: list[tuple[str, Colour | None]] = [
         (learner_name(learner), learner_colour(learner)) for learner in curves
     ]
@@ -176,21 +183,10 @@ def fill_where_there_is_room(
             drawing.fill(x[part], low[part], high[part], colour)
 
 
-def draw_curve(drawing: Drawing, axes: Axes, curve: Curve, learner: str, aside: float) -> None:
-    """Draw the mean over seeds and whiskers of ± one standard deviation, a little aside.
-
-    On a logarithmic scale that has no place for mean − std, the whisker goes up only.
-    """
+def draw_curve(drawing: Drawing, axes: Axes, curve: Curve, learner: str) -> None:
+    """Draw the mean over seeds."""
     colour = learner_colour(learner)
-    middle = axes.place(curve.pairs, curve.mean)
-    below = curve.mean - curve.std
-    if axes.y.logarithmic:
-        below = np.where(below > 0.0, below, curve.mean)
-    low = axes.place(curve.pairs, below)
-    high = axes.place(curve.pairs, curve.mean + curve.std)
-    beside: FloatArray = np.array([aside, 0.0])
-    for bottom, top in zip(low + beside, high + beside, strict=True):
-        drawing.line([bottom, top], blend(colour, LIGHT.panel, 0.7), 1.4)
-    drawing.line(middle, colour, 3.5)
-    for spot in middle:
+    means = axes.place(curve.pairs, curve.mean)
+    drawing.line(means, colour, 3.5)
+    for spot in means:
         drawing.dot(spot, colour, 7.0)

@@ -32,14 +32,17 @@ HEADING = 0.13
 NOTHING = 0.24
 """Width of the boxes on the left that hold the scenes without regret, in units of the page."""
 
-SCALE_LEFT = 0.29
+SCALE_LEFT = 0.31
 """Where the scale begins, in units of the page."""
 
 MEANS = 1.14
 """Where the means are written, in units of the page."""
 
 LEAST_PERCENT = 0.1
-"""Smaller regrets are drawn at this where there is none above, % of a random action's."""
+"""The scale begins no lower, and smaller regrets are drawn at this, % of a random action's."""
+
+BESIDE = 0.06
+"""How far from the middle of its ring the number of a scene is written, in units of the page."""
 
 _SPREADING = (0.7548776662466927, 0.5698402909980532)
 """Steps around the unit square that fill it evenly however many are made (Roberts, "The
@@ -93,7 +96,7 @@ class FamilyFigure:
     @property
     def bounds(self) -> Bounds:
         """What a view of the figure must show."""
-        return -0.06, -0.2, 1.26, self.height + KEY_STEP * len(self.learners) + 0.06
+        return -0.06, -0.3, 1.26, self.height + KEY_STEP * len(self.learners) + 0.06
 
 
 def family_figure(results: Results) -> FamilyFigure:
@@ -102,14 +105,14 @@ def family_figure(results: Results) -> FamilyFigure:
     for teacher in results.teachers:
         for learner in results.learners:
             for family in results.families:
-                curve = results.family_curve("regret_percent", family, teacher, learner)
-                percents += [] if curve is None else curve.mean.tolist()
+                curve = results.family_percents(family, teacher, learner)
+                percents += [] if curve is None else [*curve.mean.tolist(), *curve.high.tolist()]
             for pairs in results.sizes:
                 regrets = results.scene_regrets(teacher, learner, pairs)
                 if regrets is not None:
                     percents += scene_percents(results, teacher, regrets).tolist()
     low = max(LEAST_PERCENT, min((each for each in percents if each > 0.0), default=LEAST_PERCENT))
-    scale = ratio_scale(low, max([*percents, 10.0 * low]), unit=" %")
+    scale = ratio_scale(low, max([*percents, 10.0 * low]))
     tens = [np.log10(tick).round(6) % 1.0 == 0.0 for tick in scale.ticks]
     words = [word if is_ten else "" for word, is_ten in zip(scale.words, tens, strict=True)]
     return FamilyFigure(results.families, results.learners, replace(scale, words=tuple(words)))
@@ -153,7 +156,9 @@ def draw_strips(drawing: Drawing, results: Results, figure: FamilyFigure) -> Non
             drawing.line([(x, bottom), (x, top)], LIGHT.grid, 1.0)
     drawing.text((NOTHING / 2.0, -0.08), "none")
     for words, x in zip(figure.scale.words, figure.across(np.array(ticks)), strict=True):
-        drawing.text((float(x), -0.08), words)
+        if words:
+            drawing.text((float(x), -0.08), words)
+    drawing.text(((SCALE_LEFT + 1.0) / 2.0, -0.2), "regret, % of a random action's")
     drawing.text((MEANS, figure.heading(figure.families[0])), "mean")
     entries = [
         (f"{learner_name(learner)} learner", learner_colour(learner)) for learner in figure.learners
@@ -168,23 +173,30 @@ def draw_scenes(
     teacher: Teacher,
     regrets: SceneRegrets,
 ) -> None:
-    """Draw every scene as a dot, those that tell most ringed."""
+    """Draw every scene as a dot, those that tell most ringed and numbered from 1 on."""
     colour = blend(learner_colour(regrets.learner), LIGHT.panel, 0.6)
     percents = scene_percents(results, teacher, regrets)
     aside, along = np.modf(np.outer(np.arange(len(percents)), _SPREADING))[0].T
     x = np.where(percents > 0.0, figure.across(percents), NOTHING * (0.06 + 0.88 * along))
-    places = zip(regrets.scenes.tolist(), x, aside, strict=True)
-    ringed = []
-    for scene, across, share in places:
+    telling = results.telling[teacher.name]
+    ringed = {}
+    for scene, percent, across, share in zip(
+        regrets.scenes.tolist(), percents, x, aside - 0.5, strict=True
+    ):
         middle = figure.strip(results.scenes[scene].family, regrets.learner)
-        spot = (float(across), middle + 0.8 * figure.strip_height * (share - 0.5))
-        if scene in results.telling[teacher.name]:
-            ringed.append(spot)
+        if scene in telling:
+            # so that numbers keep off the names of families and off most dots
+            ring = float(across) if percent > 0.0 else 0.8 * NOTHING
+            ringed[scene] = (ring, middle + 0.5 * figure.strip_height * share)
         else:
+            spot = (float(across), middle + 0.8 * figure.strip_height * share)
             drawing.dot(spot, colour, 4.0)
-    for spot in ringed:
-        drawing.dot(spot, LIGHT.ink, 9.0)
-        drawing.dot(spot, learner_colour(regrets.learner), 5.5)
+    for scene, (across, up) in ringed.items():
+        drawing.dot((across, up), LIGHT.ink, 9.0)
+        drawing.dot((across, up), learner_colour(regrets.learner), 5.5)
+        # away from the words at either side of the page
+        aside = BESIDE if across < NOTHING else -BESIDE
+        drawing.text((across + aside, up + 0.02), str(telling.index(scene) + 1))
 
 
 def draw_mean(
@@ -197,7 +209,7 @@ def draw_mean(
     pairs: int,
 ) -> None:
     """Draw the mean regret of a family, its interval as a thick line, and write it beside."""
-    curve = results.family_curve("regret_percent", family, teacher, learner)
+    curve = results.family_percents(family, teacher, learner)
     if curve is None or pairs not in curve.pairs:
         return
     at = int(np.flatnonzero(curve.pairs == pairs)[0])
@@ -213,15 +225,12 @@ def draw_mean(
 
 def scene_percents(results: Results, teacher: Teacher, regrets: SceneRegrets) -> FloatArray:
     """Regret in each scene in % of what a random action costs in its family, on average."""
-    costs = np.array(
+    return np.array(
         [
-            results.random_regret(teacher, results.scenes[scene].family)
-            for scene in regrets.scenes.tolist()
+            results.percents(teacher, results.scenes[scene].family, regret)
+            for scene, regret in zip(regrets.scenes.tolist(), regrets.regret, strict=True)
         ]
     )
-    # where nothing can be lost, the regret is 0 whatever it is divided by
-    percents: FloatArray = 100.0 * regrets.regret / np.where(costs > 0.0, costs, 1.0)
-    return percents
 
 
 def log_family_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:

@@ -79,6 +79,12 @@ def teacher_page(results: Results, teacher: Teacher, pairs: int) -> str:
     for column, truth_number in zip(CPT_COLUMNS, true_parameters(teacher), strict=True):
         cells = [_cell(results, teacher, le, column, pairs, 1.0, ".2f") for le in learners]
         lines.append(f"| {SYMBOLS[column]} | {number(truth_number)} | {' | '.join(cells)} |")
+    lines += [
+        "",
+        "Regret is in % of a random action's. Curves: means over seeds, over the pairs learned "
+        "from; bands: 95 % intervals of the means. Thin lines: single seeds; dashed or dark: the "
+        "teacher. Parameters: thick bars are 95 % intervals, thin ones ± std.",
+    ]
     return "\n".join(lines)
 
 
@@ -150,10 +156,8 @@ def about_page(
             "",
             f"* [Regret]({_target(first, REGRET.name)}): what the teacher loses by the learner's "
             "picks, in % of what picking at random would cost. The line is the mean over seeds, "
-            "the band the 95 % bootstrap interval of that mean, a whisker ± one standard "
-            "deviation (upwards only where a logarithmic scale has no place for the rest). What "
-            "leaves the figure is drawn at its edge. The upright line marks the number of pairs "
-            "that the other figures show.",
+            "the band the 95 % bootstrap interval of that mean. What leaves the figure is drawn at "
+            "its edge. The upright line marks the number of pairs that the other figures show.",
             f"* [Best action found]({_target(first, AGREEMENT.name)}): in how many of the scenes "
             "the learner picks what the teacher would.",
             f"* [w(p) of gains]({_target(first, GAIN_WEIGHTS)}) and [of losses]"
@@ -251,9 +255,10 @@ def _families_explained(results: Results, teacher: Teacher) -> list[str]:
     return [
         f"* [Families]({_target(teacher, FAMILIES)}): the same regret by kind of scene. A dot is a "
         "scene that was held out, those without regret in a box at the left; the large dot is the "
-        "mean of the family over seeds, the line its 95 % interval. Ringed are the scenes that "
-        f"[the page beside](recording://{entities.SCENES}) tells of, with links to their own "
-        "recordings."
+        "mean of the family over seeds, the line its 95 % interval. All are in % of what a random "
+        "action costs in the family, on average over its scenes. Ringed and numbered are the "
+        f"scenes that [the page beside](recording://{entities.SCENES}) tells of, with links to "
+        "their own recordings."
     ]
 
 
@@ -303,8 +308,8 @@ def _compared(results: Results, teacher: Teacher, best: str, worst: str, pairs: 
                 for side in (comparison.difference, comparison.high, comparison.low)
             )
             if comparison.runs[at] == 1:
-                return f"{names} in the one seed, by {less} points."
-            interval = f"{less} points (95 %: {low} to {high})"
+                return f"{names} in the one seed, by {less} percentage points."
+            interval = f"{less} percentage points (95 %: {low} to {high})"
             if comparison.high[at] < 0.0:
                 return f"{names}, by {interval}."
             return f"{names} in the mean, though not for sure: {interval}."

@@ -2,12 +2,13 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
+from numpy.typing import ArrayLike
 
 from learners import (
     CptParameters,
@@ -124,6 +125,24 @@ class Results:
     ) -> Curve | None:
         """How a column of `FAMILY_COLUMNS` changes in a family with the number of pairs."""
         return self._family_curves[column].get((family, teacher.name, learner))
+
+    def family_percents(self, family: str, teacher: Teacher, learner: str) -> Curve | None:
+        """How regret in a family changes, in % of what a random action costs there, on average."""
+        curve = self.family_curve("regret", family, teacher, learner)
+        if curve is None:
+            return None
+        mean, std, low, high = (
+            self.percents(teacher, family, side)
+            for side in (curve.mean, curve.std, curve.low, curve.high)
+        )
+        return replace(curve, mean=mean, std=std, low=low, high=high)
+
+    def percents(self, teacher: Teacher, family: str, regrets: ArrayLike) -> FloatArray:
+        """Regrets in % of what a random action costs a teacher in a family, on average."""
+        cost = self.random_regret(teacher, family)
+        # where nothing can be lost, the regret is 0 whatever it is divided by
+        percents: FloatArray = 100.0 * np.asarray(regrets) / (cost if cost > 0.0 else 1.0)
+        return percents
 
     def runs(self, teacher: Teacher, learner: str, pairs: int) -> Runs:
         """The fits of one learner to one teacher, by seed; columns are empty if there are none."""

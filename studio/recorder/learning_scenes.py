@@ -7,8 +7,9 @@ import numpy as np
 import rerun as rr
 
 from learners import Teacher
-from studio.naming import counted, learner_name, teacher_name
+from studio.naming import counted, learner_name, number, teacher_name
 from studio.recorder import learning_entities as entities
+from studio.recorder.learning_families import LEAST_PERCENT, family_figure
 from studio.recorder.learning_results import Results
 
 
@@ -48,24 +49,28 @@ def scenes_page(results: Results, links: Links, pairs: int) -> str:
         if several
         else "of the largest regret"
     )
+    least = family_figure(results).scale.ticks[0]
     return "\n".join(
         [
             f"# Regret by scene after {counted(pairs, 'pair')}",
             "",
-            "A dot is a scene that was held out, its place the regret there in % of what a random "
-            "action costs in its family, on average; scenes without regret are in the boxes. The "
-            "large dot is the mean of the family over seeds, the line its 95 % interval. Ringed "
-            f"are the scenes below, those {chosen} after {counted(results.sizes[-1], 'pair')}. "
+            "A dot is a scene that was held out, its place the regret there; scenes without regret "
+            f"are in the boxes, and regrets below {number(least)} % at the left edge. The large "
+            "dot is the mean of the family over seeds, the line its 95 % interval. Rings with "
+            f"numbers, one a learner, are the scenes below: those {chosen} after "
+            f"{counted(results.sizes[-1], 'pair')}. "
             + ("The name of a scene opens its recording." if links else ""),
+            "",
+            "All regrets, drawn and written, are in % of what a random action costs the teacher in "
+            "scenes of that family, on average.",
             "",
             *(
                 line
                 for teacher in results.teachers
                 for line in _teacher(results, links, teacher, pairs)
             ),
-            "Regret in units of value, and in % of what a random action would cost in that scene: "
-            "the mean over the seeds that held the scene out. A pick is that of most of these "
-            "seeds.",
+            "Regret is the mean over the seeds that held the scene out, so many as the tables say; "
+            "a pick is that of most of these seeds.",
             "",
             *_recordings(links),
         ]
@@ -78,34 +83,38 @@ def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> li
     lines = [f"## {teacher_name(teacher.name)} teacher", ""]
     if not scenes:
         return [*lines, "No learner has regret in any scene.", ""]
-    seeds = counted(results.seeds, "seed")
-    lines += ["| scene | who | picks | regret | of random |", "|:--|:--|:--|--:|--:|"]
-    for scene in scenes:
+    learners = " | ".join(f"{learner_name(learner)} learner" for learner in results.learners)
+    lines += [
+        f"| scene | pattern | seeds | teacher | {learners} |",
+        "|:--|:--|:--|:--|" + ":--|" * len(results.learners),
+    ]
+    for place, scene in enumerate(scenes, start=1):
         told, link = results.scenes[scene], links.get(scene)
         name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
-        rows = [
-            f"the teacher | {told.best[teacher.name]} | 0 |  |",
-            *(_row(results, teacher, learner, scene, pairs) for learner in results.learners),
+        cells = [
+            f"{place}: {name}",
+            told.pattern,
+            f"{_runs(results, teacher, scene)} of {results.seeds}",
+            told.best[teacher.name],
+            *(_pick(results, teacher, learner, scene, pairs) for learner in results.learners),
         ]
-        marks = [name, told.pattern, f"{_runs(results, teacher, scene)} of {seeds}"]
-        marks += [""] * (len(rows) - len(marks))
-        rows += [" |  |  |  |"] * (len(marks) - len(rows))
-        lines += [f"| {mark} | {row}" for mark, row in zip(marks, rows, strict=True)]
+        lines.append(f"| {' | '.join(cells)} |")
     return [*lines, ""]
 
 
-def _row(results: Results, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
+def _pick(results: Results, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
     """What a learner picks in a scene, and the regret."""
-    name = f"{learner_name(learner)} learner"
     regrets = results.scene_regrets(teacher, learner, pairs)
     if regrets is None or scene not in regrets.scenes:
-        return f"{name} | – | – | – |"
+        return "–"
     at = int(np.flatnonzero(regrets.scenes == scene)[0])
-    regret = float(regrets.regret[at])
-    cost = results.scenes[scene].random_regret[teacher.name]
-    if regret <= 0.0:
-        return f"{name} | {regrets.picks[at]} | 0 |  |"
-    return f"{name} | {regrets.picks[at]} | {regret:.3f} | {100.0 * regret / cost:.0f} % |"
+    family = results.scenes[scene].family
+    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    if percent <= 0.0:
+        return f"{regrets.picks[at]}, 0 %"
+    if percent < LEAST_PERCENT:
+        return f"{regrets.picks[at]}, < {number(LEAST_PERCENT)} %"
+    return f"{regrets.picks[at]}, {percent:.{0 if percent >= 10.0 else 1}f} %"
 
 
 def _runs(results: Results, teacher: Teacher, scene: int) -> int:

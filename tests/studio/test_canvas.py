@@ -149,15 +149,6 @@ def test_letters_that_the_face_lacks_become_boxes_and_no_others():
     assert canvas.texts[-1].text == "é λ ? − □□ □ 走"
 
 
-def test_a_cleared_box_is_empty_and_says_nothing():
-    canvas = a_canvas()
-    canvas.text((10.0, 50.0), "here", 16, BLACK)
-    canvas.text((10.0, 150.0), "there", 16, BLACK)
-    canvas.clear(Box(0.0, 0.0, 640.0, 100.0))
-    assert [placed.text for placed in canvas.texts] == ["there"]
-    assert (canvas.pixels[:100] == 255).all()
-
-
 def test_line_breaks_in_names_do_not_break_lines():
     canvas = a_canvas()
     canvas.text((10.0, 50.0), "one\ntwo\tthree", 16, BLACK)

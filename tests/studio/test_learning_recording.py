@@ -36,7 +36,7 @@ from studio.recorder.learning_axes import (
     ratio_scale,
     round_ticks,
 )
-from studio.recorder.learning_curves import REGRET
+from studio.recorder.learning_curves import AGREEMENT, REGRET
 from studio.recorder.learning_families import NOTHING, family_figure, scene_percents
 from studio.recorder.learning_minds import value_figure, visible
 from studio.recorder.learning_results import CURVE_COLUMNS, FAMILY_COLUMNS, Results
@@ -46,6 +46,7 @@ REFERENCE = Path(__file__).parents[2] / "recordings" / "README.md"
 SETTINGS: dict[str, Any] = {"outcomes": "bank.parquet"}
 PAIR = (TEACHERS["eu"], TEACHERS["tk"])
 SIZES = (25, 100)
+RANDOM_REGRET = {"doorway": 0.05, "open": 0.052}
 BINS = 10
 LINKS = {
     number: SceneLink(f"doorway-0-{number}", f"scenes/doorway-0-{number}.rrd", (f"make {number}",))
@@ -125,7 +126,7 @@ def make_table(
                 "family": ["doorway", "open"][number % 2],
                 "pattern": "mixed",
                 "best": {teacher.name: "stop" for teacher in teachers},
-                "random_regret": {teacher.name: 0.05 for teacher in teachers},
+                "random_regret": {teacher.name: 0.04 + 0.002 * number for teacher in teachers},
             }
             for number in range(12)
         ],
@@ -247,11 +248,21 @@ def test_every_held_out_scene_and_every_mean_is_drawn(recording: Path, table: pa
         else:
             assert (beside[:, 0] < NOTHING).any()
     words = learnt["LineStrips2D:labels"][-1]
-    for family, curves in family_curves(table).items():
+    for family, curves in family_curves(table, "regret").items():
         (curve,) = (one for one in curves if (one.teacher, one.learner) == ("tk", "cpt"))
-        spot = (float(figure.across(curve.mean[-1])), figure.strip(family, "cpt"))
+        mean = 100.0 * curve.mean[-1] / RANDOM_REGRET[family]
+        spot = (float(figure.across(mean)), figure.strip(family, "cpt"))
         assert np.abs(drawn - spot).sum(axis=1).min() < 1e-5
-        assert f"{curve.mean[-1]:.2f} %" in words
+        assert f"{mean:.2f} %" in words
+
+
+def test_every_scene_that_is_told_of_has_a_numbered_ring_a_learner(
+    recording: Path, table: pa.Table
+) -> None:
+    learnt = read(recording)["/figures/tk/families/learnt"]
+    numbers = [words for words in learnt["LineStrips2D:labels"][-1] if words.isdigit()]
+    assert sorted(numbers) == ["1", "1", "2", "2", "3", "3"]
+    assert len(telling_scenes(table, 3)["tk"]) == 3
 
 
 def test_the_page_of_scenes_tells_of_those_that_differ_most(
@@ -271,9 +282,13 @@ def test_the_page_of_scenes_tells_of_those_that_differ_most(
                 for one in scene_regrets(table)
                 if (one.teacher, one.learner, one.pairs) == (teacher, "cpt", SIZES[-1])
             )
-            regret = float(each.regret[each.scenes == scene][0])
-            if regret > 0.0:
-                assert f"{regret:.3f} | {100.0 * regret / 0.05:.0f} %" in part
+            (at,) = np.flatnonzero(each.scenes == scene)
+            percent = 100.0 * float(each.regret[at]) / RANDOM_REGRET[["doorway", "open"][scene % 2]]
+            (row,) = (line for line in part.splitlines() if f"[doorway-0-{scene} ↗]" in line)
+            assert "| stop | " in row
+            assert f"| mixed | {each.runs[at]} of 3 |" in row
+            said = f"{percent:.{0 if percent >= 10.0 else 1}f} %" if percent > 0.0 else "0 %"
+            assert row.endswith(f"| {each.picks[at]}, {said} |")
     assert "make 0" in last
 
 
@@ -354,6 +369,7 @@ def test_pages_tell_the_numbers_of_their_time(recording: Path, table: pa.Table) 
     for place, rows in enumerate(page["TextDocument:text"]):
         assert f"T&K after {SIZES[place]} pairs" in rows[0]
         assert f"{curve.mean[place]:.2f} ± {curve.std[place]:.2f}" in rows[0]
+        assert "bands: 95 % intervals of the means" in rows[0]
 
 
 def test_the_summary_has_the_table_of_regrets(recording: Path, table: pa.Table) -> None:
@@ -519,6 +535,18 @@ def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
     settings: Any = {"unloggable": object()}
     with pytest.raises(ValueError, match="arrow"):
         write_learning_recording(tmp_path / "learning.rrd", table, PAIR, settings)
+
+
+@pytest.mark.parametrize("lowest", [0.0, 0.57, 0.74, 0.9, 0.999, 1.0])
+def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: float) -> None:
+    table = make_table(PAIR[:1], ["eu"], [25], 1)
+    place = table.column_names.index("agreement")
+    table = table.set_column(place, STUDY_SCHEMA.field("agreement"), pa.array([lowest]))
+    ticks = AGREEMENT.axes(Results(table, PAIR)).y.ticks
+    assert ticks[-1] == 1.0
+    assert ticks[0] <= lowest + 1e-9
+    assert 2 <= len(ticks) <= 11
+    assert ticks[1] - ticks[0] < max(0.011, (1.0 - lowest) / 3.0)
 
 
 @pytest.mark.parametrize(
