@@ -109,8 +109,8 @@ def about_page(
             "* A robot turns red at the step at which it first touches a person or a wall; a red "
             "cross marks where. Faint lines are the paths that robots take, a bold one is that of "
             "the first future.",
-            "* Histograms count the outcomes by feature, in bins that all actions share; the "
-            "number at the upper left is the height of the tallest bar.",
+            "* Histograms count the outcomes by feature, in bins that all actions share, those "
+            "with contact in red; the number at the upper left is the height of the tallest bar.",
             "* The gap over time is that between the robot and the nearest person: the median, "
             "and a band from the 10 % to the 90 % quantile.",
             f"* Prospects: [all outcomes](recording://{entities.COMPARISON}), every feature on one "

@@ -75,7 +75,7 @@ def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
         figure_view(
             entities.distributions(name),
             distributions_bounds(rollouts),
-            f"{name}: outcomes by feature, and the gap to the nearest person "
+            f"{name}: outcomes by feature (red: with contact), and the gap to the nearest person "
             "(median, 10 to 90 %) over time",
         ),
         row_shares=[5, 2],

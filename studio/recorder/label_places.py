@@ -134,5 +134,5 @@ def is_misleading(
     to_middle = np.linalg.norm(offsets, axis=-1)
     to_edge = np.linalg.norm(np.maximum(offsets - half, 0.0), axis=-1)
     away = np.stack([to_middle, to_edge])
-    nearer: NDArray[np.bool_] = away.min(axis=-1) < away[..., index] - NEARER  # (2, N)
-    return nearer[0] | nearer[1]
+    nearer: NDArray[np.bool_] = np.any(away.min(axis=-1) < away[..., index] - NEARER, axis=0)
+    return nearer
