@@ -277,6 +277,13 @@ def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts
     assert "two teachers" in disagreements_page(rollouts, (eu,))
 
 
+def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
+    eu, *_ = judge(rollouts)
+    page = summary_page(rollouts, (eu, replace(eu, teacher="my aunt")))
+    assert "EU goes by the mean utility; V, under their names, is" in page
+    assert "my aunt goes" not in page
+
+
 def test_outcomes_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
     outcomes = read(recording)["/outcomes"]
     for column, feature in enumerate(FEATURES):
