@@ -68,7 +68,7 @@ def log_prospects(
             mark = left + MARK_LEFT + column * MARK_WIDTH
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
-    draw_words(drawing)
+    draw_words(drawing, TITLE_BOTTOM + raised)
     draw_key(drawing, judgements, actions * PANEL_PITCH)
     drawing.log(stream, entities.PROSPECTS)
     x = PANEL_PITCH * np.arange(actions)[:, None] + (np.arange(count) + 0.5) / count
@@ -119,9 +119,12 @@ def stairs(left: float, heights: FloatArray) -> FloatArray:
     return np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
 
 
-def draw_words(drawing: Drawing) -> None:
-    """Say at the left what the levels are, and below the first panel how outcomes are ordered."""
-    drawing.text((WORDS_MIDDLE, TITLE_BOTTOM), "utility")
+def draw_words(drawing: Drawing, top: float) -> None:
+    """Say at the left what the levels are, and below the first panel how outcomes are ordered.
+
+    Top is where the highest titles are.
+    """
+    drawing.text((WORDS_MIDDLE, top), "utility")
     # the viewer hangs words from their first line
     drawing.text((WORDS_MIDDLE, WEIGHT_HEIGHT / 2.0 + 0.08), "weight ÷\nprobability")
     drawing.text((0.5, -0.24), "worst → best")
