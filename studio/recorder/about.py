@@ -14,6 +14,13 @@ from studio.naming import counted, number, teacher_name
 from studio.recorder import entities
 from studio.recorder.log_ranks import discordant_pairs
 
+WAYS_OF_JUDGING = {
+    "eu": "goes by the mean utility",
+    "tk": "by cumulative prospect theory with the parameters that Tversky and Kahneman measured",
+    "strong": "by more extreme ones",
+}
+"""How the usual teachers judge, in the order in which they are told."""
+
 
 def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
     """What to look at first: the actions in a table, and which one each teacher picks."""
@@ -27,16 +34,19 @@ def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             f"# {scene.name}",
             "",
             f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
-            f"{counted(count, 'time')}: balls are the robot (with an arrowhead) and the people "
-            "(grey) in the first of these futures, in true size, dots are where they are in the "
-            "others. A robot is red once it has touched somebody or a wall; a cross marks where.",
+            f"{counted(count, 'time')}. Balls are the robot (with an arrowhead) and the people "
+            "(grey) in the first of these futures, in true size; dots are those in the others. "
+            "People react to the robot, so every action has its own. A robot is red once it has "
+            "touched somebody or a wall; a cross marks where.",
             "",
             *outcome_table(rollouts, judgements),
             "",
             f"{'; '.join(picks)}.{_disagreement(rollouts, judgements)}",
             "",
+            _minds(judgements),
+            "",
             "Gap to the nearest person: median over futures of the smallest; progress towards the "
-            "goal: mean. Under the teachers' names: the value V of the action.",
+            "goal: mean.",
         ]
     )
 
@@ -109,8 +119,8 @@ def about_page(
             "* A robot turns red at the step at which it first touches a person or a wall; a red "
             "cross marks where. Faint lines are the paths that robots take, a bold one is that of "
             "the first future.",
-            "* Histograms count the outcomes by feature, in bins that all actions share; the "
-            "number at the upper left is the height of the tallest bar.",
+            "* Histograms count the outcomes by feature, in bins that all actions share, those "
+            "with contact in red; the number at the upper left is the height of the tallest bar.",
             "* The gap over time is that between the robot and the nearest person: the median, "
             "and a band from the 10 % to the 90 % quantile.",
             f"* Prospects: [all outcomes](recording://{entities.COMPARISON}), every feature on one "
@@ -227,6 +237,20 @@ def _disagreement(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
         f" {teacher_name(one.teacher)} and {teacher_name(other.teacher)} "
         f"[order](recording://{entities.RANKS}) {most} of "
         f"{math.comb(len(rollouts.actions), 2)} pairs of actions differently."
+    )
+
+
+def _minds(judgements: tuple[Judgement, ...]) -> str:
+    """Who the teachers are, as far as they are the usual ones, and what V is, in a sentence."""
+    minds = [
+        f"{teacher_name(judgement.teacher)} {WAYS_OF_JUDGING[judgement.teacher]}"
+        for judgement in judgements
+        if judgement.teacher in WAYS_OF_JUDGING
+    ]
+    known = f"{', '.join(minds)}; " if minds else ""
+    return (
+        f"{known}V, under their names, is what an action is worth to them: the largest is picked "
+        "(★)."
     )
 
 

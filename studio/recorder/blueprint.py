@@ -58,7 +58,7 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
         rrb.Vertical(
             page_view(entities.SUMMARY, "Summary"),
             *([clearance_view()] if rollouts.scene.pedestrians else []),
-            row_shares=[2, 1] if rollouts.scene.pedestrians else [1],
+            row_shares=[5, 2] if rollouts.scene.pedestrians else [1],
         ),
         column_shares=[5, 3],
         name="Overview",
@@ -75,7 +75,7 @@ def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
         figure_view(
             entities.distributions(name),
             distributions_bounds(rollouts),
-            f"{name}: outcomes by feature, and the gap to the nearest person "
+            f"{name}: outcomes by feature (red: with contact), and the gap to the nearest person "
             "(median, 10 to 90 %) over time",
         ),
         row_shares=[5, 2],
@@ -90,8 +90,9 @@ def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
         figure_view(
             entities.PROSPECTS,
             prospects_bounds(tuple(action.name for action in rollouts.actions)),
-            "Outcomes from the worst to the best. Dots: utility; marks beside them: the sure "
-            "utility worth as much. Below: decision weight ÷ probability",
+            "Outcomes from the worst to the best. Dots: utility; marks at the right: certainty "
+            "equivalents (the sure utility that a teacher would take instead). Below: how much "
+            "each outcome counts",
         ),
         row_shares=[4, 5],
         name="Prospects",

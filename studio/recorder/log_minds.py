@@ -35,12 +35,14 @@ class Panel:
     Attributes:
         place: among the panels, counted from the left.
         title: what the curves are.
+        across: what is counted across, in words.
         x: ticks across, from the lowest value to the highest.
         y: ticks upwards, from the lowest value to the highest.
     """
 
     place: int
     title: str
+    across: str
     x: tuple[float, ...]
     y: tuple[float, ...]
 
@@ -75,8 +77,8 @@ def log_weighting(stream: rr.RecordingStream, judgements: tuple[Judgement, ...])
     gains = [weight(p, each.parameters.gamma) for each in judgements]
     losses = [weight(p, each.parameters.delta) for each in judgements]
     ticks = (0.0, 0.5, 1.0)
-    of_gains = Panel(0, "w(p) of gains", ticks, ticks)
-    of_losses = Panel(1, "w(p) of losses", ticks, ticks)
+    of_gains = Panel(0, "w(p) of gains", "p", ticks, ticks)
+    of_losses = Panel(1, "w(p) of losses", "p", ticks, ticks)
     log_panel(stream, entities.GAIN_WEIGHTS, of_gains, judgements, p, gains, has_key=True)
     log_panel(stream, entities.LOSS_WEIGHTS, of_losses, judgements, p, losses)
 
@@ -92,6 +94,7 @@ def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement
     panel = Panel(
         2,
         "decision weight × 50",
+        "rank",
         (0.0, RANKS / 2.0, float(RANKS)),
         round_ticks(0.0, float(np.max(curves))),
     )
@@ -103,7 +106,7 @@ def log_values(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) ->
     x = LARGEST_UTILITY * np.linspace(-1.0, 1.0, 101) ** 3  # denser at 0, where the kink is
     curves = [value(x, judgement.parameters) for judgement in judgements]
     ticks = round_ticks(float(np.min(curves)), float(np.max(curves)))
-    panel = Panel(3, "v(x)", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks)
+    panel = Panel(3, "v(x)", "x", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks)
     log_panel(stream, entities.VALUES, panel, judgements, x, curves)
 
 
@@ -133,6 +136,7 @@ def log_panel(
     )
     drawing = Drawing(lift=0.045 * panel.height)
     drawing.text((left + panel.width / 2, top + 0.1 * panel.height), panel.title)
+    drawing.text((left + 0.75 * panel.width, bottom - 0.12 * panel.height), panel.across)
     for tick in panel.x:
         drawing.line([(tick, bottom), (tick, top)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
         drawing.text((tick, bottom - 0.12 * panel.height), number(tick))

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import rerun as rr
+from numpy.typing import NDArray
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
@@ -13,16 +14,23 @@ from studio.naming import number, short, teacher_name
 from studio.palette import LIGHT, Colour, Theme, blend
 from studio.recorder import entities
 from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
+from studio.recorder.learning_axes import round_ticks
 from studio.recorder.log_world import rounded, time_columns
 
-BINS: dict[str, tuple[float, float, float]] = {
-    "clearance": (0.0, 1.0, 0.05),
-    "deviation": (0.0, 1.0, 0.05),
-    "progress": (0.0, 1.0, 0.05),
-    "smoothness": (0.0, 1.0, 0.05),
-    "collisions": (-0.5, 4.5, 1.0),
+COLLISIONS = "collisions"
+"""The feature that is a whole number; the others are measured."""
+
+LEAST_RANGES = {
+    "clearance, m": 1.0,
+    "deviation, m": 0.2,
+    "progress, m": 1.0,
+    "smoothness": 1.0,
+    COLLISIONS: 2.0,
 }
-"""Least range and width of the bins of each feature's histogram, in its scaled unit."""
+"""The histogram of a measure reaches from 0 at least this far."""
+
+MOST_BINS = 25
+"""A histogram of values on one side of 0 has no more bins."""
 
 ROUNDING = 1e-9
 """A value that leaves the bins by this share of one does so by rounding only."""
@@ -36,6 +44,9 @@ STROKE = 0.02
 COLUMN_WIDTH, TALLEST_ROW, TALLEST_TABLE = 1.4, 0.45, 3.6
 """Of the table that compares actions: where there are many, rows get lower and not the table
 taller, so that words keep their room; in units of the page."""
+
+TICK_LETTER_WIDTH = 0.05
+"""Half of that of a letter below that table, in units of the page."""
 
 LETTER_WIDTH = 0.12
 """Of the names of actions beside that table where it is small, in units of the page."""
@@ -73,19 +84,25 @@ def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) 
 
 def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
     """Draw a figure an action: a histogram a feature, and clearance over time."""
-    edges = [
-        bin_edges(feature, rollouts.features[..., column])
-        for column, feature in enumerate(FEATURES)
-    ]
+    values = measures(rollouts)
+    edges = {title: bin_edges(title, each) for title, each in values.items()}
+    has_contact = rollouts.contact_step >= 0
     if rollouts.scene.pedestrians:
         gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
     for index, action in enumerate(rollouts.actions):
         drawing = Drawing(lift=0.06, resolution=PAGE_RESOLUTION)
         colour = theme.action_colour(action.name)
-        for column, feature in enumerate(FEATURES):
-            left = column * (PANEL_WIDTH + PANEL_GAP)
-            counts, _ = np.histogram(rollouts.features[index, :, column], edges[column])
-            draw_histogram(drawing, left, feature, edges[column], counts, colour)
+        for column, (title, each) in enumerate(values.items()):
+            counts, _ = np.histogram(each[index], edges[title])
+            touching, _ = np.histogram(each[index, has_contact[index]], edges[title])
+            draw_histogram(
+                drawing,
+                column * (PANEL_WIDTH + PANEL_GAP),
+                title,
+                edges[title],
+                np.stack([touching, counts]),
+                (theme.contact, colour),
+            )
         if rollouts.scene.pedestrians:
             left = len(FEATURES) * (PANEL_WIDTH + PANEL_GAP)
             ends = float(min(0.0, gap_quantiles.min())), float(gap_quantiles.max())
@@ -96,24 +113,36 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
 def draw_histogram(
     drawing: Drawing,
     left: float,
-    feature: str,
+    title: str,
     edges: FloatArray,
-    counts: FloatArray,
-    colour: Colour,
+    counts: NDArray[np.int64],
+    colours: tuple[Colour, Colour],
 ) -> None:
-    """Draw the histogram of a feature into the panel that begins at `left`."""
-    peak, bar = int(counts.max()), PANEL_WIDTH / len(counts)
+    """Draw a histogram into the panel that begins at `left`.
+
+    Args:
+        drawing: what to draw into.
+        left: where the panel begins.
+        title: what is counted.
+        edges: [B+1], of the bins.
+        counts: [2, B], the outcomes with contact, and all.
+        colours: of the outcomes with contact, and of the others above them.
+    """
+    peak, bar = int(counts.max()), PANEL_WIDTH / counts.shape[1]
     strokes = max(3, int(np.ceil(bar / STROKE)))
     # such that the bar with the width of its strokes leaves a little gap to the next
     reach = 0.48 * bar / (1.0 + OVERLAP / (strokes - 1))
     offsets = np.linspace(-reach, reach, strokes)
-    for place in np.flatnonzero(counts):
-        height = PANEL_HEIGHT * counts[place] / peak
+    for place, (touching, all_together) in enumerate(PANEL_HEIGHT * counts.T / peak):
         x = left + (place + 0.5) * bar + offsets
-        drawing.fill(x, np.zeros(strokes), np.full(strokes, height), colour)
-    draw_frame(drawing, left, feature)
+        for low, high, colour in zip(
+            (0.0, touching), (touching, all_together), colours, strict=True
+        ):
+            if high > low:
+                drawing.fill(x, np.full(strokes, low), np.full(strokes, high), colour)
+    draw_frame(drawing, left, title)
     low, high, margin = edges[0], edges[-1], 0.0
-    if feature == "collisions":  # whole numbers, written below the middle of their bins
+    if title == COLLISIONS:  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
     drawing.text((left + margin, -0.15), tick(low))
     drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
@@ -167,8 +196,9 @@ def log_comparison(
 ) -> None:
     """Draw a table of all outcomes: a row an action, a column a feature and a teacher.
 
-    Every column has a scale of its own. A small dot is an outcome, a large one the median of a
-    feature or the value to a teacher, who picks the action with the black ring.
+    Every column has a scale of its own, in metres where that is a unit. A small dot is an outcome,
+    a large one the median of a feature or the value to a teacher, who picks the action with the
+    black ring.
     """
     drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
     colours = [theme.action_colour(action.name) for action in rollouts.actions]
@@ -179,12 +209,13 @@ def log_comparison(
     clouds = []
     for row, action in zip(rows, rollouts.actions, strict=True):
         drawing.text((-name_room(rollouts) / 2.0, row), short(action.name))
-    for column, feature in enumerate(FEATURES):
-        places = draw_column(drawing, column, feature, rollouts.features[..., column], rows)
+    values = measures(rollouts)
+    for column, (title, each) in enumerate(values.items()):
+        places = draw_column(drawing, column, title, each, rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
         for place, row, colour in zip(places, rows, colours, strict=True):
             drawing.dot((np.median(place), row), colour, 9.0)
-    for column, judgement in enumerate(judgements, start=len(FEATURES)):
+    for column, judgement in enumerate(judgements, start=len(values)):
         title = f"V {teacher_name(judgement.teacher)}"
         places = draw_column(drawing, column, title, judgement.values, rows)
         drawing.dot((places[judgement.best], rows[judgement.best]), LIGHT.ink, 17.0)
@@ -196,7 +227,7 @@ def log_comparison(
         entities.COMPARED_OUTCOMES,
         rr.Points2D(
             rounded(np.stack(clouds, axis=1)).reshape(-1, 2),
-            colors=np.repeat(faint, len(FEATURES) * count, axis=0),
+            colors=np.repeat(faint, len(values) * count, axis=0),
             radii=rr.Radius.ui_points(1.4),
             draw_order=15.0,
         ),
@@ -207,20 +238,38 @@ def log_comparison(
 def draw_column(
     drawing: Drawing, column: int, title: str, values: FloatArray, rows: FloatArray
 ) -> FloatArray:
-    """Draw the title and the zero line of a column.
+    """Draw the title, the zero line and the ends of the scale of a column.
 
     Returns:
         Where the values lie across, in the shape of the values.
     """
     left, width = column * COLUMN_WIDTH, 0.8 * COLUMN_WIDTH
-    low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
-    stretch = width / (high - low or 1.0)
-    zero = left - low * stretch
-    drawing.line([(zero, 0.0), (zero, rows[-1] + rows[0])], LIGHT.faint, 1.0)
+    low, *_, high = round_ticks(float(values.min()), float(values.max()))
+    stretch = width / (high - low)
+    zero, bottom = left - low * stretch, rows[-1] + rows[0]
+    drawing.line([(zero, 0.0), (zero, bottom)], LIGHT.faint, 1.0)
     drawing.text((left + width / 2, 0.26), title)
-    reach = f"{number(low, '.2g')} … {number(high, '.2g')}"
-    drawing.text((left + width / 2, rows[-1] + rows[0] - 0.15), reach)
+    for end, inwards in ((low, 1.0), (high, -1.0)):
+        # wide words a little farther in, so that they do not touch those of the next column
+        inset = inwards * TICK_LETTER_WIDTH * len(number(end))
+        drawing.text((zero + stretch * end + inset, bottom - 0.15), number(end))
     return zero + stretch * values
+
+
+def measures(rollouts: Rollouts) -> dict[str, FloatArray]:
+    """What outcomes are described by, in the order of `FEATURES`, under their titles.
+
+    Returns:
+        [A, K] each, in metres where that is a unit.
+    """
+    scaled = rollouts.features
+    return {
+        "clearance, m": rollouts.clearance_m,
+        "deviation, m": rollouts.deviation_m,
+        "progress, m": rollouts.progress_m,
+        "smoothness": scaled[..., FEATURES.index("smoothness")],
+        COLLISIONS: scaled[..., FEATURES.index("collisions")],
+    }
 
 
 def tick(value: float) -> str:
@@ -239,15 +288,29 @@ def gaps(rollouts: Rollouts) -> FloatArray:
     return gap
 
 
-def bin_edges(feature: str, values: FloatArray) -> FloatArray:
-    """Edges of the bins of a feature: its least range, widened by whole bins to hold all values."""
-    low, high, width = BINS[feature]
-    below = max(0, int(np.ceil((low - values.min()) / width - ROUNDING)))
-    above = max(0, int(np.ceil((values.max() - high) / width - ROUNDING)))
-    bins = round((high - low) / width) + below + above
-    edges = low + width * np.arange(-below, bins - below + 1, dtype=np.float64)
+def bin_edges(title: str, values: FloatArray) -> FloatArray:
+    """Edges of the bins of a measure: round ones, 0 among them, which hold all values.
+
+    Whole numbers are in the middle of bins of width 1.
+    """
+    low, high = min(0.0, float(values.min())), max(LEAST_RANGES[title], float(values.max()))
+    width, aside = bin_width(max(-low, high)), 0.0
+    if title == COLLISIONS:
+        width, aside = 1.0, 0.5
+    first, last = np.floor(low / width + ROUNDING), np.ceil(high / width - ROUNDING)
+    edges: FloatArray = width * np.arange(first - aside, last + aside + 1.0)
     edges[[0, -1]] += (-ROUNDING * width, ROUNDING * width)
     return edges
+
+
+def bin_width(reach: float) -> float:
+    """The narrowest of the round widths 1, 2 and 5 times powers of ten that suffices."""
+    power = 10.0 ** np.floor(np.log10(reach / MOST_BINS) + ROUNDING)
+    return next(
+        float(f"{power * round_number:.6g}")
+        for round_number in (1, 2, 5, 10)
+        if reach <= MOST_BINS * power * round_number * (1.0 + ROUNDING)
+    )
 
 
 def distributions_bounds(rollouts: Rollouts) -> Bounds:

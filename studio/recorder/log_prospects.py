@@ -20,11 +20,14 @@ PANEL_PITCH = 1.3
 WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.15, 1.4
 """Of the lower part of a panel, and of the upper one, in units of the page."""
 
-TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.2
+TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.27
 """Where the titles of the panels are, in units of the page."""
 
 MARK_LEFT, MARK_WIDTH = 1.04, 0.05
 """Where the marks at the right of a panel begin, and how wide one is, in units of the page."""
+
+TICKS_MIDDLE, WORDS_MIDDLE = -0.28, -0.42
+"""Where the middle of the numbers at the left is, and of what they are, in units of the page."""
 
 LONGEST_TITLE = 14
 """If a title has more characters, titles are written on two levels, so that they do not touch."""
@@ -65,6 +68,7 @@ def log_prospects(
             mark = left + MARK_LEFT + column * MARK_WIDTH
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
+    draw_words(drawing, TITLE_BOTTOM + raised)
     draw_key(drawing, judgements, actions * PANEL_PITCH)
     drawing.log(stream, entities.PROSPECTS)
     x = PANEL_PITCH * np.arange(actions)[:, None] + (np.arange(count) + 0.5) / count
@@ -103,7 +107,7 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
     for tick in scale.ticks:
         y = bottom + height * float(scale(tick))
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
-            drawing.text((-0.28, y), number(tick))
+            drawing.text((TICKS_MIDDLE, y), number(tick))
         for left in PANEL_PITCH * np.arange(actions):
             colour = LIGHT.faint if tick == 0.0 else LIGHT.grid
             drawing.line([(left, y), (left + 1.0, y)], colour, 1.0)
@@ -115,10 +119,21 @@ def stairs(left: float, heights: FloatArray) -> FloatArray:
     return np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
 
 
+def draw_words(drawing: Drawing, top: float) -> None:
+    """Say at the left what the levels are, and below the first panel how outcomes are ordered.
+
+    Top is where the highest titles are.
+    """
+    drawing.text((WORDS_MIDDLE, top), "utility")
+    # the viewer hangs words from their first line
+    drawing.text((WORDS_MIDDLE, WEIGHT_HEIGHT / 2.0 + 0.08), "weight ÷\nprobability")
+    drawing.text((0.5, -0.24), "worst → best")
+
+
 def draw_key(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
-    """Say whose lines and marks have which colour."""
+    """Say whose lines and marks have which colour, beside the marks of the last panel."""
     for row, judgement in enumerate(judgements):
-        y = WEIGHT_HEIGHT - 0.32 * row
+        y = UTILITY_BOTTOM + UTILITY_HEIGHT - 0.32 * row
         drawing.line([(left, y), (left + 0.15, y)], teacher_colour(judgement.teacher), 4.0)
         drawing.text((left + 0.52, y), teacher_name(judgement.teacher))
 
@@ -130,4 +145,9 @@ def second_level(names: tuple[str, ...]) -> float:
 
 def prospects_bounds(names: tuple[str, ...]) -> Bounds:
     """What a view of the figure of prospects of these actions must show."""
-    return -0.56, -0.15, len(names) * PANEL_PITCH + 0.95, TITLE_BOTTOM + second_level(names) + 0.15
+    return (
+        WORDS_MIDDLE - 0.46,
+        -0.4,
+        len(names) * PANEL_PITCH + 0.95,
+        TITLE_BOTTOM + second_level(names) + 0.15,
+    )

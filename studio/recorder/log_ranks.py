@@ -20,9 +20,9 @@ actions, rows get lower and not the figure taller, so that words keep their room
 HEADER = 0.36
 """How high above the first row the names of the teachers stand, in units of the page."""
 
-VALUE_LEFT, LINE_LEFT, LINE_RIGHT = 0.36, 0.68, 0.08
-"""How far right of a dot its value and the line to the next dot begin, and how far left of that
-the line ends, in units of the page."""
+VALUE_LEFT, VALUE_RISE, LEVEL = 0.34, 0.36, 0.6
+"""How far right of a dot its value stands, in units of the page, and how far above it, in rows;
+how far the line to the next dot stays level under the value, in units of the page."""
 
 LETTER_WIDTH = 0.062
 """Of the words beside the figure, in units of the page."""
@@ -42,6 +42,7 @@ def log_ranks(
     A line an action joins its places. It is bold where the next teacher gives it another rank.
     """
     drawing = Drawing(lift=0.07)
+    rise = VALUE_RISE * row_pitch(len(names))
     places = [ranks(judgement.values) for judgement in judgements]
     levels = [-row_pitch(len(names)) * rank for rank in places]
     for column, judgement in enumerate(judgements):
@@ -49,7 +50,7 @@ def log_ranks(
         drawing.text((x, HEADER), teacher_name(judgement.teacher))
         for name, y, value in zip(names, levels[column], judgement.values, strict=True):
             drawing.dot((x, y), theme.action_colour(name), 13.0)
-            drawing.text((x + VALUE_LEFT, y), number(value, ".3f"))
+            drawing.text((x + VALUE_LEFT, y + rise), number(value, ".3f"))
     for column, (here, there) in enumerate(pairwise(levels)):
         for name, y, next_y in zip(names, here, there, strict=True):
             width = 2.0 if y == next_y else 5.0
@@ -90,12 +91,13 @@ def row_pitch(actions: int) -> float:
 
 
 def bend(column: int, level: float, next_level: float) -> FloatArray:
-    """The line from a dot's value in one column to the dot in the next, level at its ends."""
+    """The line from a dot in one column to the dot in the next, level at its ends."""
     along = np.linspace(0.0, 1.0, 13)
-    start = column * COLUMN_PITCH + LINE_LEFT
-    x = start + (COLUMN_PITCH - LINE_LEFT - LINE_RIGHT) * along
+    start = column * COLUMN_PITCH
+    x = start + LEVEL + (COLUMN_PITCH - LEVEL) * along
     turn = along**2 * (3.0 - 2.0 * along)
-    return np.stack([x, level + (next_level - level) * turn], axis=-1)
+    bent = np.stack([x, level + (next_level - level) * turn], axis=-1)
+    return np.concatenate([[(start, level)], bent])
 
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:

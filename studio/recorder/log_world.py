@@ -60,6 +60,9 @@ PATH_STRIDE = 4
 MOST_PATHS_BESIDE_LABELS = 10
 """Names of actions are placed beside so many of the paths of each action; others lie as these."""
 
+LABEL_ORDER = 1000.0
+"""Of dots and lines of the labels: above the robots of all actions."""
+
 TimeColumns = tuple[rr.TimeColumn, ...]
 
 
@@ -116,13 +119,15 @@ def log_labels(
     labels = tuple(short(action.name) for action in rollouts.actions)
     some = rollouts.robot[:, :MOST_PATHS_BESIDE_LABELS, ::PATH_STRIDE, :2]
     drawing = Drawing(lift=metres_per_pixel(bounds) * LABEL_HEIGHT / 2.0)
-    places = label_places(labels, some, rollouts.scene.wall_segments, bounds)
-    for index, (words, place) in enumerate(zip(labels, places, strict=True)):
-        end = rollouts.robot[index, :, -1, :2].mean(axis=0)
-        line = leader(end, place, half_size(words, bounds))
-        drawing.line(line, theme.action_colour(rollouts.actions[index].name), 1.5)
+    ends = rollouts.robot[:, :, -1, :2].mean(axis=1)
+    places = label_places(labels, ends, some, rollouts.scene.wall_segments, bounds)
+    for action, words, end, place in zip(rollouts.actions, labels, ends, places, strict=True):
+        # dark, since it lies on paths of every colour; the dot at its end says whose it is
+        drawing.line(leader(end, place, half_size(words, bounds)), theme.ink, 1.2)
+        drawing.dot(end.tolist(), theme.ink, 9.0)
+        drawing.dot(end.tolist(), theme.action_colour(action.name), 6.0)
         drawing.text(place.tolist(), words)
-    drawing.log(stream, entities.LABELS)
+    drawing.log(stream, entities.LABELS, draw_order=LABEL_ORDER)
 
 
 def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:

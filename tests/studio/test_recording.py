@@ -277,6 +277,13 @@ def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts
     assert "two teachers" in disagreements_page(rollouts, (eu,))
 
 
+def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
+    eu, *_ = judge(rollouts)
+    page = summary_page(rollouts, (eu, replace(eu, teacher="my aunt")))
+    assert "EU goes by the mean utility; V, under their names, is" in page
+    assert "my aunt goes" not in page
+
+
 def test_outcomes_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
     outcomes = read(recording)["/outcomes"]
     for column, feature in enumerate(FEATURES):
@@ -436,10 +443,19 @@ def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path
     assert "my aunt" in read(tmp_path / "test.rrd")["/judgements"]
 
 
-@pytest.mark.parametrize("values", [[0.0, 1.0], [-3.2, 4.0], [1.0 + 1e-12, 0.5]])
-def test_bins_hold_every_outcome(values: list[float]) -> None:
-    edges = bin_edges("progress", np.array(values))
+@pytest.mark.parametrize(
+    ("values", "width"),
+    [([0.0, 1.0], 0.05), ([-3.2, 4.0], 0.2), ([2.0 + 1e-12, 0.5], 0.1), ([0.0, 0.0], 0.05)],
+)
+def test_bins_are_round_and_hold_every_outcome(values: list[float], width: float) -> None:
+    edges = bin_edges("progress, m", np.array(values))
     counts, _ = np.histogram(values, edges)
     assert counts.sum() == len(values)
-    np.testing.assert_allclose(np.diff(edges), 0.05)
+    np.testing.assert_allclose(np.diff(edges), width)
     assert math.isclose(edges[np.abs(edges).argmin()], 0.0, abs_tol=1e-9)
+
+
+@pytest.mark.parametrize(("most", "last"), [(0.0, 2.5), (4.0, 4.5)])
+def test_bins_of_collisions_reach_as_far_as_there_are_any(most: float, last: float) -> None:
+    edges = bin_edges("collisions", np.array([0.0, most]))
+    np.testing.assert_allclose(edges, np.arange(-0.5, last + 1.0), atol=1e-6)
