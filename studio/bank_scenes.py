@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from studio.commands import simulation_options
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -68,21 +70,13 @@ def scenes_again(
 
 def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
     """The command lines that print the scene and record it."""
-    from scenes import META_ACTIONS, Noise
-    from scenes.robot import Limits
+    from scenes import META_ACTIONS
 
-    if (plan.actions, plan.limits) != (META_ACTIONS, Limits()):
+    options = simulation_options(rollouts)
+    if options is None or rollouts.actions != META_ACTIONS:
         return ()
     scene = rollouts.scene
-    file = f"{scene.name}.toml"
     shown = ["studio", "scenes", scene.family, "--pattern", scene.pattern]
     shown += ["--seed", str(plan.seed), "--number", str(scene.number)]
-    recorded = ["studio", "record", "--scene", file, "--seed", str(plan.seed)]
-    recorded += ["--rollouts", str(plan.rollouts), "--horizon", f"{plan.horizon:g}"]
-    recorded += ["--model", plan.model, "--engine", plan.engine]
-    for each in fields(Noise):
-        given = getattr(plan.noise, each.name)
-        if given != each.default:
-            recorded += ["--noise", f"{each.name}={given!r}"]
-    recorded += ["--no-png", "--no-mp4", "--out", FOLDER]
-    return f"{shlex.join(shown)} > {file}", shlex.join(recorded)
+    record = f"studio record {options} --no-png --no-mp4 --out {FOLDER}"
+    return f"{shlex.join(shown)} > {scene.name}.toml", record

@@ -134,7 +134,7 @@ _OUT_FOLDER = click.option(
 
 
 def _simulation_options(command: Command) -> Command:
-    """The options that `record` and `sample` share."""
+    """The options of everything that simulates."""
     options = [
         click.option("--seed", default=0, show_default=True, help="Seed of scene and noise."),
         click.option("--rollouts", default=50, show_default=True, help="Rollouts of each action."),
@@ -425,8 +425,9 @@ def render(
 ) -> None:
     """Paint pictures and films from a recording alone.
 
-    Without --png, --mp4 and --gif, a picture and a film beside the recording. Nothing is
-    simulated again, and recordings of older versions of the studio will do.
+    Without --png, --mp4 and --gif, a picture and a film beside the recording, in place of those
+    that are there. Nothing is simulated again, and recordings of older versions of the studio will
+    do.
     """
     from studio.orchestrator import Studio
     from studio.pictures import Excerpt, Look

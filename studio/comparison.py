@@ -1,5 +1,6 @@
 """Two actions of one scene side by side, for a person to choose between."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,6 +57,19 @@ class Comparison:
         return self.rollouts.actions[1]
 
 
+def check_two(one: str, other: str, known: Sequence[str]) -> None:
+    """Make sure that two names are those of two actions.
+
+    Raises:
+        InputError: if there is no such action, or both are the same.
+    """
+    for name in (one, other):
+        if name not in known:
+            raise InputError(f"action: {name!r} is not there: {', '.join(known)}")
+    if one == other:
+        raise InputError(f"actions: {one!r} twice: two different ones are needed")
+
+
 def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparison:
     """Put two actions side by side.
 
@@ -71,8 +85,7 @@ def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparis
     Raises:
         InputError: if there is no such action, both are the same, or the seed is not allowed.
     """
-    if one == other:
-        raise InputError(f"actions: {one!r} twice: two different ones are needed")
+    check_two(one, other, [action.name for action in rollouts.actions])
     if not 0 <= seed <= LARGEST_SEED:
         raise InputError(f"seed: {seed} is not allowed: 0 to {LARGEST_SEED}")
     sides = only(rollouts, _shuffled(sorted((one, other)), seed))

@@ -1,6 +1,7 @@
 """Files: output that is whole or not there, and recordings that really are such."""
 
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -41,8 +42,8 @@ def replacing(*paths: Path, option: str = "--out") -> Iterator[list[Path]]:
         raise RunError(f"{name}: cannot be written: {error.strerror or error}") from error
     finally:
         for part in parts:
-            if part.parent.is_dir():
-                part.unlink(missing_ok=True)
+            with suppress(OSError):  # it was never made, or its folder was not
+                part.unlink()
         with suppress(OSError):  # a folder that holds something stays
             for folder in reversed(made):
                 folder.rmdir()
@@ -60,6 +61,11 @@ def _prepare(path: Path, part: Path, made: list[Path], option: str) -> None:
         part.touch()
     except OSError as error:
         raise InputError(f"{option}: {path}: cannot be written: {error.strerror}") from None
+
+
+def file_name(*words: str) -> str:
+    """A name for a file, without an ending, of words that may have any characters."""
+    return "-".join(re.sub(r"[^\w.-]", "_", word) for word in words)
 
 
 def check_is_recording(path: Path) -> None:

@@ -1,7 +1,7 @@
 """The one orchestrator: from a scene to rollouts, outcomes, and files that a person looks at.
 
 Everything heavy is imported where it is used: to import the studio costs nothing, and who wants no
-film does not wait for a video encoder.
+picture does not wait for what draws it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from studio.errors import RunError
 from studio.figures import check_figure
-from studio.files import check_is_recording, replacing
+from studio.files import check_is_recording, file_name, replacing
 from studio.progress import Quiet
 from studio.sources import Source, find_scene
 
@@ -131,9 +131,8 @@ class Studio:
 
             judgements = judge(rollouts)
             write_recording(parts[0], rollouts, judgements)
-            for part in parts[1:]:
-                # of the recording, not of what was simulated: the picture is the data
-                self._paint(part, read_recording(parts[0]))
+            # of the recording, not of what was simulated: the picture is the data
+            self._paint(parts[1:], read_recording(parts[0]))
         return Recorded(rollouts, judgements, files)
 
     def compare(
@@ -163,11 +162,12 @@ class Studio:
             InputError: if there is no such scene or action, a setting is not allowed
                 (`scenes.InputError`), or the folder cannot be written to.
         """
-        from scenes import simulate, warm_up
-        from studio.comparison import compare
+        from scenes import META_ACTIONS, simulate, warm_up
+        from studio.comparison import check_two, compare
 
+        check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
-        files = self._files(f"{found.name}-{one}-{other}", png, mp4)
+        files = self._files(file_name(found.name, one, other), png, mp4)
         with replacing(*files) as parts:
             with self.progress.waiting(_COMPILING):
                 warm_up(settings.get("engine", "batched"))
@@ -179,8 +179,7 @@ class Studio:
 
             judgements = judge(comparison.rollouts)
             write_comparison_recording(parts[0], comparison, judgements)
-            for part in parts[1:]:
-                self._paint(part, read_recording(parts[0]))
+            self._paint(parts[1:], read_recording(parts[0]))
         return Compared(comparison, judgements, files)
 
     def render(
@@ -215,8 +214,7 @@ class Studio:
         read = read_recording(source)
         check_files(wanted, read, excerpt)
         with replacing(*wanted, option="--png, --mp4, --gif") as parts:
-            for part in parts:
-                self._paint(part, read, look, excerpt)
+            self._paint(parts, read, look, excerpt)
         return wanted
 
     def sample(self, path: str | Path, plan: BankPlan) -> Path:
@@ -277,7 +275,10 @@ class Studio:
         unfinished = self.out / ".learning.unfinished.parquet"
         files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
         caption = ""
-        with replacing(*files, *drawn) as [parquet, png, rrd, *papers]:
+        with (
+            replacing(*files) as [parquet, png, rrd],
+            replacing(*drawn, option="--figure") as papers,
+        ):
             table = self._study(study, unfinished)
 
             from studio.painter.learning import compose_learning_picture
@@ -376,20 +377,21 @@ class Studio:
 
     def _paint(
         self,
-        part: Path,
+        parts: Sequence[Path],
         recording: Recording,
         look: Look | None = None,
         excerpt: Excerpt | None = None,
     ) -> None:
-        """Paint a recording into a file, and tell how far a film is."""
+        """Paint a recording into files, and tell how far a film is."""
         from studio.pictures import Excerpt, Look, write_picture
 
         look, excerpt = look or Look(), excerpt or Excerpt()
-        if part.suffix == ".png":
-            write_picture(part, recording, look, excerpt)
-        else:
-            with self.progress.steps("film") as done:
-                write_picture(part, recording, look, excerpt, done)
+        for part in parts:
+            if part.suffix == ".png":
+                write_picture(part, recording, look, excerpt)
+            else:
+                with self.progress.steps("film") as done:
+                    write_picture(part, recording, look, excerpt, done)
 
 
 def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:

@@ -11,7 +11,7 @@ from studio.painter import comparison, learning, picture
 from studio.painter.canvas import Canvas
 from studio.painter.comparison import compose_comparison_picture
 from studio.painter.comparison_film import compose_comparison_film
-from studio.painter.encode import Progress, Segment, check_codec, write_gif, write_mp4
+from studio.painter.encode import Progress, Segment, check_codec, check_rate, write_gif, write_mp4
 from studio.painter.film import compose_film
 from studio.painter.learning import compose_learning_picture
 from studio.painter.learning_film import compose_learning_film
@@ -43,7 +43,7 @@ class Look:
         codec: of MP4 films, `h264` or `av1`.
 
     Raises:
-        InputError: if there is no such theme or codec.
+        InputError: if there is no such theme or codec, or films cannot have so many frames.
     """
 
     size: Size | None = None
@@ -55,6 +55,7 @@ class Look:
         if self.theme not in THEMES:
             raise InputError(f"--theme: {self.theme!r} is not known: {', '.join(THEMES)}")
         check_codec(self.codec)
+        check_rate(self.frames_per_second)
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,7 @@ def write_picture(
 
     Raises:
         InputError: if the ending or the size is not allowed, or there is no such part.
-        RunError: if the file cannot be written.
+        OSError: if the file cannot be written.
     """
     rate = look.frames_per_second
     if path.suffix == ".png":
@@ -121,8 +122,10 @@ def check_files(paths: Sequence[Path], recording: Recording, excerpt: Excerpt) -
     for path in paths:
         if path.suffix not in FORMATS:
             raise InputError(f"{path}: is not allowed: a name that ends in {', '.join(FORMATS)}")
-    if len(set(paths)) < len(paths):
-        raise InputError(f"{paths[0]}: is named twice: each file once")
+    resolved = [path.resolve() for path in paths]
+    for path in paths:
+        if resolved.count(path.resolve()) > 1:
+            raise InputError(f"{path}: is named twice: each file once")
     timed = excerpt.start is not None or excerpt.end is not None
     is_still = all(path.suffix == ".png" for path in paths)
     if timed and is_still and not isinstance(recording, StudyRecording):

@@ -20,7 +20,7 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from studio.errors import InputError, RunError
+from studio.errors import InputError
 from studio.palette import Colour, Theme
 
 FloatArray = NDArray[np.float64]
@@ -247,13 +247,10 @@ class Canvas:
         """Write the canvas as a PNG file.
 
         Raises:
-            RunError: if the file cannot be written.
+            OSError: if the file cannot be written.
         """
         _, encoded = cv2.imencode(".png", cv2.cvtColor(self.pixels, cv2.COLOR_RGB2BGR))
-        try:
-            path.write_bytes(encoded.tobytes())
-        except OSError as error:
-            raise RunError(f"{path}: cannot be written: {error.strerror}") from None
+        path.write_bytes(encoded.tobytes())
 
     def line(self, points: ArrayLike, colour: Colour, width: float = 1.0) -> None:
         """Draw through points [N, 2] with a pen of this width in px, at least one pixel."""

@@ -25,7 +25,7 @@ from av.codec.context import Flags
 from av.filter import Graph
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc
 
-from studio.errors import InputError, RunError
+from studio.errors import InputError
 from studio.painter.canvas import PixelArray
 
 Progress = Callable[[int, int], None]
@@ -129,10 +129,10 @@ def write_mp4(
 
     Raises:
         InputError: if the size, the number of frames or the codec is not allowed.
-        RunError: if the file cannot be written.
+        OSError: if the file cannot be written.
     """
     check_film_size(size)
-    _check_rate(frames_per_second, MOST_FILM_FRAMES)
+    check_rate(frames_per_second)
     check_codec(codec)
     form = _Form(_CODECS[codec], size, frames_per_second)
     total, done = sum(segment.length for segment in segments), 0
@@ -168,8 +168,7 @@ def write_mp4(
         finally:
             # after an interruption there is no use in encoding the rest
             stopped.set()
-    with _writing(path):
-        _join(path, encoded, form)
+    _join(path, encoded, form)
 
 
 def write_gif(
@@ -193,10 +192,10 @@ def write_gif(
 
     Raises:
         InputError: if the size or the number of frames is not allowed.
-        RunError: if the file cannot be written.
+        OSError: if the file cannot be written.
     """
     _check_sides(size, LARGEST_GIF_SIDE)
-    _check_rate(frames_per_second, MOST_GIF_FRAMES)
+    check_rate(frames_per_second, MOST_GIF_FRAMES)
     length = sum(segment.length for segment in segments)
 
     def told(before: int) -> Iterator[tuple[int, PixelArray]]:
@@ -215,8 +214,7 @@ def write_gif(
     palette, last = _palette(told(0), size)
     held = round(100 * (length - last) / frames_per_second)
     animation = _animation(told(length), palette, held, size, frames_per_second)
-    with _writing(path):
-        path.write_bytes(animation)
+    path.write_bytes(animation)
 
 
 # What is allowed
@@ -238,7 +236,12 @@ def _check_sides(size: tuple[int, int], largest: int) -> None:
         )
 
 
-def _check_rate(frames_per_second: int, most: int) -> None:
+def check_rate(frames_per_second: int, most: int = MOST_FILM_FRAMES) -> None:
+    """Refuse more or fewer frames per second than films can have.
+
+    Raises:
+        InputError: if they are not a whole number of at least 1 and at most `most`.
+    """
     if frames_per_second not in range(1, most + 1):
         raise InputError(
             f"frames_per_second: {frames_per_second} is not allowed: a whole number, 1 to {most}"
@@ -291,13 +294,23 @@ def _join(path: Path, encoded: Sequence[list[VideoPacket]], form: _Form) -> None
         )
         form.set_up(stream.codec_context)
         container.start_encoding()
+        # frames are decoded before they are shown, by as much as the segment needs that needs most:
+        # encoders of short segments tell less, and the times of all must go up
+        lead = max(
+            (
+                place - cast(int, packet.pts)
+                for packets in encoded
+                for place, packet in enumerate(packets)
+            ),
+            default=0,
+        )
         first = 0
         for packets in encoded:
-            for packet in packets:
+            for place, packet in enumerate(packets):
                 packet.stream = stream
                 packet.time_base = form.time_base
                 packet.pts = cast(int, packet.pts) + first
-                packet.dts = cast(int, packet.dts) + first
+                packet.dts = first + place - lead
                 container.mux(packet)
             first += len(packets)  # a packet is a frame
 
@@ -311,14 +324,6 @@ def _one_thread_each() -> Iterator[None]:
         yield
     finally:
         cv2.setNumThreads(before)
-
-
-@contextmanager
-def _writing(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise RunError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 # GIF

@@ -10,7 +10,7 @@ import pyarrow as pa
 
 from learners import Teacher
 from studio.painter.canvas import PixelArray
-from studio.painter.encode import Segment, check_film_size
+from studio.painter.encode import Segment
 from studio.painter.learning import SIZE, Page, draw_page, lay_out
 from studio.painter.learning_results import Results
 from studio.palette import LIGHT, Theme
@@ -41,7 +41,6 @@ def compose_learning_film(
     Raises:
         InputError: if the size is not allowed.
     """
-    check_film_size(size)
     results = Results.of(table, teachers)
     page = lay_out(results, size, theme)
     standing, ending = (round(held * frames_per_second) for held in (STANDING, ENDING))

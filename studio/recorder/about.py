@@ -1,6 +1,7 @@
 """The pages of a recording, in Markdown: what one sees, and how to make it again."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import combinations
@@ -8,9 +9,10 @@ from itertools import combinations
 import numpy as np
 
 from learners import REWARD
-from scenes import FEATURES, Noise, Rollouts, scene_to_toml
+from scenes import FEATURES, META_ACTIONS, Rollouts, scene_to_toml
+from studio.commands import how_to_make_again
 from studio.judgements import Judgement
-from studio.naming import counted, number, teacher_name
+from studio.naming import counted, number, short, teacher_name
 from studio.recorder import entities
 from studio.recorder.log_ranks import discordant_pairs
 
@@ -163,11 +165,9 @@ def about_page(
             "",
             "## Make it again",
             "",
-            f"Save the scene below as `{scene.name}.toml`, then run",
-            "",
-            "```sh",
-            f"studio record {simulation_options(rollouts)}",
-            "```",
+            *how_to_make_again(
+                rollouts, "studio record" if rollouts.actions == META_ACTIONS else None
+            ),
             "",
             "| setting | value |",
             "|:--|:--|",
@@ -183,21 +183,6 @@ def about_page(
             scene_to_toml(scene).rstrip(),
             "```",
         ]
-    )
-
-
-def simulation_options(rollouts: Rollouts) -> str:
-    """The options with which a command simulates the same again, given the scene as a file."""
-    usual = asdict(Noise())
-    shaken = "".join(
-        f" --noise {name}={given!r}"
-        for name, given in asdict(rollouts.noise).items()
-        if given != usual[name]
-    )
-    return (
-        f"--scene {rollouts.scene.name}.toml --seed {rollouts.seed} "
-        f"--rollouts {rollouts.robot.shape[1]} --horizon {rollouts.horizon:g} "
-        f"--model {rollouts.model} --engine {rollouts.engine}{shaken}"
     )
 
 
@@ -258,7 +243,8 @@ def _link(rollouts: Rollouts, index: int) -> str:
     name = rollouts.actions[index].name
     # Markdown ends a link at a space unless it is in angle brackets, and eats backslashes
     target = entities.action(name).replace("\\", "\\\\")
-    return f"[{name}](<recording://{target}>)"
+    shown = re.sub(r"([\\|\[\]*_`<])", r"\\\1", short(name))
+    return f"[{shown}](<recording://{target}>)"
 
 
 def _people(rollouts: Rollouts) -> str:

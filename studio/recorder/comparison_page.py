@@ -1,11 +1,14 @@
 """The page about a recording of two actions, in Markdown."""
 
+import shlex
+
 from scenes import scene_to_toml
+from studio.commands import how_to_make_again
 from studio.comparison import QUESTION, SIDES, Comparison
 from studio.judgements import Judgement
 from studio.naming import counted, number
 from studio.recorder import entities
-from studio.recorder.about import outcome_table, simulation_options
+from studio.recorder.about import outcome_table
 
 
 def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -> str:
@@ -16,6 +19,7 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
         f"* **{side}**: {action.name}, {number(action.speed)} m/s, {number(action.turn_rate)} rad/s"
         for side, action in zip(SIDES, rollouts.actions, strict=True)
     ]
+    command = ["studio", "compare", comparison.left.name, comparison.right.name]
     return "\n".join(
         [
             f"# {scene.name}",
@@ -46,12 +50,7 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
             "",
             "## Make it again",
             "",
-            f"Save the scene below as `{scene.name}.toml`, then run",
-            "",
-            "```sh",
-            f"studio compare {comparison.left.name} {comparison.right.name} "
-            f"{simulation_options(rollouts)}",
-            "```",
+            *how_to_make_again(rollouts, shlex.join(command)),
             "",
             f"The seed also chooses the sides, here {comparison.seed}. All other settings are "
             "properties of the recording.",

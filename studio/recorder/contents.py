@@ -50,13 +50,13 @@ class Contents:
         """
         return str(self.static(entity, component)[0])
 
-    def over_time(self, entity: str, component: str) -> NDArray[Any]:
+    def over_time(self, entity: str, component: str, timeline: str) -> NDArray[Any]:
         """The values of a component of equal length at all times, in order of time, [T, N, ...].
 
         Raises:
             InputError: if there is no such thing, or the lengths differ.
         """
-        rows = self._column(entity, component)
+        rows = self._column(entity, component, timeline)
         values = rows.flatten()
         if len(values) % max(len(rows), 1):
             raise self.damaged(f"{entity} {component} changes its length")
@@ -79,15 +79,20 @@ class Contents:
         """The error to raise where something is not as the studio writes it."""
         return InputError(f"{self.path}: is damaged, or not a recording of the studio: {what}")
 
-    def _column(self, entity: str, component: str) -> pa.ListArray:
-        parts = [
-            batch.column(component).cast(pa.list_(batch.schema.field(component).type.value_type))
-            for batch in self.batches.get(entity, [])
-            if component in batch.schema.names
+    def _column(self, entity: str, component: str, timeline: str | None = None) -> pa.ListArray:
+        """The rows of a component that are there, in the order of the file or of a timeline."""
+        wanted = {component, *([timeline] if timeline else [])}
+        batches = [
+            batch for batch in self.batches.get(entity, []) if wanted <= {*batch.schema.names}
         ]
-        if not parts:
+        if not batches:
             raise self.damaged(f"it has no {component} at {entity}")
-        column = pa.concat_arrays(parts)
+        parts = [batch.column(component) for batch in batches]
+        values = parts[0].type.value_type
+        column = pa.concat_arrays([part.cast(pa.list_(values)) for part in parts])
+        if timeline:
+            times = pa.concat_arrays([batch.column(timeline) for batch in batches])
+            column = column.take(pc.sort_indices(times))
         return column.filter(pc.is_valid(column))
 
 

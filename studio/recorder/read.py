@@ -21,6 +21,16 @@ def read_recording(path: Path) -> Recording:
         InputError: if the file is not a whole recording of the studio, or of a newer edition.
     """
     contents = read_contents(path)
+    try:
+        return _read(contents)
+    except InputError:
+        raise
+    except (ValueError, TypeError, KeyError, IndexError) as error:
+        # what a room refuses says what is wrong with it
+        raise contents.damaged(str(error)) from None
+
+
+def _read(contents: Contents) -> Recording:
     if contents.application == entities.APPLICATION:
         _check_version(contents, entities.SIMULATION, SCHEMA_VERSION)
         return read_scene(contents)
@@ -30,7 +40,9 @@ def read_recording(path: Path) -> Recording:
     if contents.application == learning_entities.APPLICATION:
         _check_version(contents, learning_entities.STUDY, STUDY_VERSION)
         return read_study(contents)
-    raise InputError(f"{path}: is a recording of {contents.application!r}, not one of the studio")
+    raise InputError(
+        f"{contents.path}: is a recording of {contents.application!r}, not one of the studio"
+    )
 
 
 def _check_version(contents: Contents, entity: str, newest: int) -> None:

@@ -26,7 +26,8 @@ def read_comparison(contents: Contents) -> ComparisonRecording:
     """Read a comparison back from its recording.
 
     Raises:
-        InputError: if something is missing, or not as the studio writes it.
+        InputError: if something is missing, or contradicts itself.
+        ValueError: if something is not as the studio writes it, see `read_scene`.
     """
     scene = read_scene(contents)
     actions = tuple(contents.static(entities.COMPARED, "actions").tolist())

@@ -9,7 +9,6 @@ import numpy as np
 from learners import PROFILES, CptParameters
 from scenes import FEATURES, Limits, MetaAction, Noise, Rollouts, scene_from_toml
 from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED
-from studio.errors import InputError
 from studio.judgements import FloatArray, Judgement
 from studio.recorder import entities
 from studio.recorder.contents import Contents
@@ -35,16 +34,12 @@ def read_scene(contents: Contents) -> SceneRecording:
     walks then, nor what the teachers are like, who then were those of `PROFILES`.
 
     Raises:
-        InputError: if something is missing, or not as the studio writes it.
+        InputError: if something is missing.
+        ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
+            IndexError say.
     """
-    try:
-        rollouts = _rollouts(contents)
-        return SceneRecording(rollouts, _judgements(contents, rollouts))
-    except InputError:
-        raise
-    except (ValueError, TypeError, KeyError, IndexError) as error:
-        # what a room refuses says what is wrong with it
-        raise contents.damaged(str(error)) from None
+    rollouts = _rollouts(contents)
+    return SceneRecording(rollouts, _judgements(contents, rollouts))
 
 
 def _rollouts(contents: Contents) -> Rollouts:
@@ -64,12 +59,14 @@ def _rollouts(contents: Contents) -> Rollouts:
     robot, pedestrians = [], []
     for action in actions:
         at = f"/{entities.robots(action.name)}"
-        place = contents.over_time(at, "Points2D:positions")
-        heading = contents.over_time(at, "heading")[..., None]
+        place = contents.over_time(at, "Points2D:positions", "step")
+        heading = contents.over_time(at, "heading", "step")[..., None]
         robot.append(np.concatenate([place, heading], axis=-1).swapaxes(0, 1))
         if people:
             at = f"/{entities.pedestrians(action.name)}"
-            moved = contents.over_time(at, "Points2D:positions").reshape(times, count, people, 2)
+            moved = contents.over_time(at, "Points2D:positions", "step").reshape(
+                times, count, people, 2
+            )
             pedestrians.append(moved.swapaxes(0, 1))
         else:
             pedestrians.append(np.empty((count, times, 0, 2)))

@@ -7,7 +7,6 @@ from typing import Any
 import pyarrow as pa
 
 from learners import STUDY_SCHEMA, CptParameters, Teacher
-from studio.errors import InputError
 from studio.recorder import learning_entities as entities
 from studio.recorder.contents import Contents
 from studio.recorder.learning_results import METADATA
@@ -32,28 +31,25 @@ def read_study(contents: Contents) -> StudyRecording:
     Columns that an older edition does not have are missing from the table, too.
 
     Raises:
-        InputError: if something is missing, or not as the studio writes it.
+        InputError: if something is missing.
+        ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
+            IndexError say.
     """
-    try:
-        teachers = _teachers(contents)
-        learners = contents.static(entities.STUDY, "learners").tolist()
-        rows = []
-        for teacher in teachers:
-            for learner in learners:
-                entity = f"/{entities.fits(teacher.name, learner)}"
-                for row in contents.rows(entity, entities.TIMELINE):
-                    rows += _fits(teacher.name, learner, row)
-        # as in the study: from few pairs to many, and the seeds of a fit one after another
-        rows.sort(key=lambda row: int(row["pairs"]))
-        named = set().union(*rows) if rows else set(STUDY_SCHEMA.names)
-        schema = pa.schema([field for field in STUDY_SCHEMA if field.name in named])
-        told = contents.text(entities.STUDY, "study")
-        table = pa.Table.from_pylist(rows, schema.with_metadata({METADATA: told}))
-        return StudyRecording(table, teachers)
-    except InputError:
-        raise
-    except (ValueError, TypeError, KeyError, IndexError) as error:
-        raise contents.damaged(str(error)) from None
+    teachers = _teachers(contents)
+    learners = contents.static(entities.STUDY, "learners").tolist()
+    rows = []
+    for teacher in teachers:
+        for learner in learners:
+            entity = f"/{entities.fits(teacher.name, learner)}"
+            for row in contents.rows(entity, entities.TIMELINE):
+                rows += _fits(teacher.name, learner, row)
+    # as in the study: from few pairs to many, and the seeds of a fit one after another
+    rows.sort(key=lambda row: int(row["pairs"]))
+    named = set().union(*rows) if rows else set(STUDY_SCHEMA.names)
+    schema = pa.schema([field for field in STUDY_SCHEMA if field.name in named])
+    told = contents.text(entities.STUDY, "study")
+    table = pa.Table.from_pylist(rows, schema.with_metadata({METADATA: told}))
+    return StudyRecording(table, teachers)
 
 
 def _teachers(contents: Contents) -> tuple[Teacher, ...]:

@@ -1,6 +1,8 @@
 """Pictures and films are painted from recordings alone."""
 
 import lzma
+import subprocess
+import sys
 from pathlib import Path
 
 import av
@@ -10,8 +12,9 @@ import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
 
+from scenes import MetaAction
 from studio.cli import main
-from studio.errors import InputError, RunError
+from studio.errors import InputError
 from studio.orchestrator import Studio
 from studio.painter.learning import compose_learning_picture
 from studio.palette import ACTION_COLOURS, DARK, LIGHT
@@ -106,7 +109,7 @@ def test_some_actions_keep_the_colours_that_they_have_among_all(
     assert shown == [False, False, True, True, False, False, False]
     recording = read_recording(folder / "doorway.rrd")
     texts = [placed.text for placed in compose_still(recording, Look(), Excerpt(("stop",))).texts]
-    assert "stop" in texts
+    assert texts.count("stop") == 2 + 3  # at its path, in the table, and as the pick of all three
     assert "turn left" not in texts
 
 
@@ -172,6 +175,9 @@ def test_recordings_of_an_older_edition_are_painted(name: str, tmp_path: Path) -
         ("--size 99999x99998", "99999x99998 pixels is not allowed"),
         ("--size big", "'big' is not a size: two whole numbers, WxH"),
         ("--fps 0", "0 is not allowed: a whole number, 1 to 60"),
+        ("--fps -5", "-5 is not allowed: a whole number, 1 to 60"),
+        ("--png x.png --fps -5", "-5 is not allowed: a whole number, 1 to 60"),
+        ("--png x.png --mp4 y.mp4 --gif " + "z" * 300 + ".gif", "cannot be written: File name too"),
         ("--theme pink", "'pink' is not one of 'light', 'dark'"),
         ("--codec vp9", "'vp9' is not one of 'h264', 'av1'"),
         ("--from 0.7 --to 0.2", "0.7 to 0.2 s is not allowed: within 0 to 1 s"),
@@ -202,28 +208,51 @@ def test_actions_go_with_scenes_only(
     assert (tmp_path / "x.png").exists() != bool(options)
 
 
-def test_an_old_picture_survives_a_full_disk(
-    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "x.png").write_text("old")
-    (tmp_path / "x.mp4").write_text("old")
-
-    def full(path: Path, *_arguments: object) -> None:
-        raise RunError(f"{path}: cannot be written: No space left on device")
-
-    monkeypatch.setattr("studio.pictures.write_mp4", full)
-    result = render(
-        folder / "doorway.rrd", "--png", tmp_path / "x.png", "--mp4", tmp_path / "x.mp4", *QUICK
+@pytest.mark.parametrize("kind", ["png", "mp4", "gif"])
+def test_an_old_picture_survives_a_full_disk(kind: str, folder: Path, tmp_path: Path) -> None:
+    old = tmp_path / f"x.{kind}"
+    old.write_text("old")
+    command = f"{sys.executable} -m studio render {folder / 'doorway.rrd'} --{kind} {old}"
+    # as if the disk were full after 8 kB; Python then ignores the signal and sees an error
+    full = subprocess.run(
+        ["bash", "-c", f"ulimit -f 8; {command} {' '.join(QUICK)}"],
+        check=False,
+        capture_output=True,
+        text=True,
     )
-    assert result.exit_code == 1
-    assert "No space left" in result.stderr
-    assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}
+    assert full.returncode == 1, full.stderr
+    assert full.stderr.startswith(f"studio: {old}: cannot be written: ")
+    assert full.stderr.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == [old.name]
+    assert old.read_text() == "old"
 
 
 def test_a_codec_that_is_not_there_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("studio.painter.encode._is_present", lambda name: name == "libx264")
     with pytest.raises(InputError, match="codec: 'av1' is not part of this PyAV: h264"):
         Look(codec="av1")
+
+
+def test_a_file_named_twice_is_refused(folder: Path, tmp_path: Path) -> None:
+    files = [tmp_path / "p.png", tmp_path / "q.png", tmp_path / "." / "q.png"]
+    with pytest.raises(InputError, match=r"q\.png: is named twice"):
+        Studio().render(folder / "doorway.rrd", *files)
+
+
+def test_a_gif_of_a_study_may_have_odd_sides(study_recording: Path, tmp_path: Path) -> None:
+    options = ("--size", "641x401", "--fps", "2")
+    result = render(study_recording, "--gif", tmp_path / "x.gif", *options)
+    assert result.exit_code == 0, result.stderr
+    assert size_of(tmp_path / "x.gif") == (641, 401)
+
+
+@pytest.mark.parametrize("fps", ["1", "2"])
+def test_films_of_few_frames_are_whole(fps: str, study_recording: Path, tmp_path: Path) -> None:
+    result = render(study_recording, "--mp4", tmp_path / "x.mp4", "--fps", fps)
+    assert result.exit_code == 0, result.stderr
+    with av.open(str(tmp_path / "x.mp4")) as film:
+        times = [float(frame.time or 0.0) for frame in film.decode(video=0)]
+    assert times == pytest.approx([index / int(fps) for index in range(len(times))])
 
 
 def test_other_endings_are_refused(folder: Path, tmp_path: Path) -> None:
@@ -244,9 +273,27 @@ def test_compare_says_which_action_is_on_which_side(tmp_path: Path) -> None:
     assert (tmp_path / "open-stop-forward.png").exists()
 
 
+def test_names_of_actions_cannot_lead_out_of_the_folder(tmp_path: Path) -> None:
+    actions = (MetaAction("left/right", 1.0, 0.0), MetaAction("../up", 0.5, 0.0))
+    files = (
+        Studio(tmp_path)
+        .compare("open", "left/right", "../up", actions=actions, rollouts=2, horizon=0.5, mp4=False)
+        .files
+    )
+    assert [path.name for path in files] == [
+        "open-left_right-.._up.rrd",
+        "open-left_right-.._up.png",
+    ]
+    assert {path.parent for path in files} == {tmp_path}
+
+
 @pytest.mark.parametrize(
     ("actions", "said"),
-    [(("forward", "fly"), "'fly' is not there"), (("stop", "stop"), "'stop' twice")],
+    [
+        (("forward", "fly"), "'fly' is not there"),
+        (("forward", "../../x"), "'../../x' is not there"),
+        (("stop", "stop"), "'stop' twice"),
+    ],
 )
 def test_compare_refuses_actions_that_are_not_two(
     actions: tuple[str, str], said: str, tmp_path: Path

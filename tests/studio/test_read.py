@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 import rerun as rr
@@ -20,6 +21,7 @@ from studio.errors import InputError
 from studio.judgements import Judgement, judge
 from studio.orchestrator import Studio
 from studio.recorder import entities
+from studio.recorder.contents import Contents, read_contents
 from studio.recorder.read import read_recording
 from studio.recorder.read_scene import SceneRecording
 from studio.recorder.read_study import StudyRecording
@@ -221,3 +223,28 @@ def test_a_recording_of_a_newer_edition_is_refused(tmp_path: Path) -> None:
         stream.save(path)
         stream.send_property("simulation", rr.AnyValues(schema_version=SCHEMA_VERSION + 1))
     assert f"edition {SCHEMA_VERSION + 1}" in refused(path)
+
+
+def test_rows_are_read_in_order_of_time_whatever_their_order_in_the_file(
+    recording: Path, rollouts: Rollouts
+) -> None:
+    contents = read_contents(recording)
+    entity = f"/{entities.robots(rollouts.actions[0].name)}"
+    [batch] = [b for b in contents.batches[entity] if "step" in b.schema.names]
+    half = batch.num_rows // 2
+    swapped = replace(contents, batches={entity: [batch.slice(half), batch.slice(0, half)]})
+    for component in ("Points2D:positions", "heading"):
+        np.testing.assert_array_equal(
+            swapped.over_time(entity, component, "step"),
+            contents.over_time(entity, component, "step"),
+        )
+
+
+@pytest.mark.parametrize("told", [["two"], [], None])
+def test_an_edition_that_is_no_number_is_refused(
+    told: list[str] | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    batch = pa.record_batch({"schema_version": pa.array([told], pa.list_(pa.string()))})
+    odd = Contents(tmp_path / "odd.rrd", entities.APPLICATION, {entities.SIMULATION: [batch]})
+    monkeypatch.setattr("studio.recorder.read.read_contents", lambda _path: odd)
+    assert "is damaged" in refused(tmp_path / "odd.rrd")

@@ -324,9 +324,44 @@ def test_properties_suffice_to_make_it_again(recording: Path, rollouts: Rollouts
     assert tomllib.loads(simulation["versions"])["rerun-sdk"] == rr.__version__
 
 
-def test_the_page_tells_the_command_and_links_to_the_actions(recording: Path) -> None:
+def test_the_page_tells_the_command_that_makes_the_recording_again(tmp_path: Path) -> None:
+    rollouts = replace(make_rollouts(META_ACTIONS), noise=Noise(goal=0.25))
+    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
+    page = read(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
+    said = "studio record --scene test.toml --seed 7 --rollouts 3 --horizon 0.5"
+    assert said in page
+    assert "--noise goal=0.25" in page
+
+
+@pytest.mark.parametrize(
+    "special",
+    [{"actions": META_ACTIONS[:2]}, {"wrap_angles": False}, {"limits": Limits(acceleration=2.0)}],
+)
+def test_where_no_command_makes_it_again_the_page_says_so(
+    special: dict[str, Any], tmp_path: Path
+) -> None:
+    rollouts = make_rollouts(special.get("actions", META_ACTIONS))
+    rollouts = replace(rollouts, **special)
+    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
+    page = read(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
+    assert "studio record" not in page
+    assert "No command does this" in page
+
+
+def test_names_of_actions_cannot_break_the_pages(tmp_path: Path) -> None:
+    odd = (MetaAction("a|b [c](d)", 1.0, 0.0), MetaAction("*" * 80, 0.5, 0.0))
+    rollouts = make_rollouts(odd)
+    write_recording(tmp_path / "odd.rrd", rollouts, judge(rollouts))
+    page = read(tmp_path / "odd.rrd")["/summary"]["TextDocument:text"][0][0]
+    row = next(line for line in page.splitlines() if "a\\|b" in line)
+    header = next(line for line in page.splitlines() if line.startswith("| action"))
+    assert row.replace("\\|", "").count("|") == header.count("|")
+    assert "\\[c\\]" in row
+    assert "*" * 30 not in page
+
+
+def test_the_page_links_to_the_actions(recording: Path) -> None:
     page = read(recording)["/about"]["TextDocument:text"][0][0]
-    assert "studio record --scene test.toml --seed 7 --rollouts 3 --horizon 0.5" in page
     assert "recording://world/actions/slow_down" in page
     assert "| noise: desired_speed | 0.26 |" in page
 
