@@ -8,6 +8,9 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+import av
+import cv2
+
 from studio.headless import headless_viewer
 from studio.orchestrator import Studio
 from studio.pictures import Excerpt, Look
@@ -55,14 +58,11 @@ def draw_study(studio: Studio) -> None:
 
 def save_frame(studio: Studio, recording: Path, seconds: float, path: Path) -> None:
     """Save what the film of a recording shows at one moment."""
-    import av
-    from PIL import Image
-
     [film] = studio.render(recording, recording.with_suffix(".mp4"))
     with av.open(str(film)) as container:
         for frame in container.decode(video=0):
             if frame.time is not None and frame.time >= seconds:
-                Image.fromarray(frame.to_ndarray(format="rgb24")).save(path)
+                cv2.imwrite(str(path), frame.to_ndarray(format="bgr24"))
                 return
 
 

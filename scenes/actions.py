@@ -16,7 +16,8 @@ class MetaAction:
         turn_rate: commanded turn rate ω in rad/s, positive to the left.
 
     Raises:
-        InputError: if the speed or turn rate is not finite, or the robot would drive backwards.
+        InputError: if there is no name, the speed or turn rate is not finite, or the robot would
+            drive backwards.
     """
 
     name: str
@@ -24,6 +25,8 @@ class MetaAction:
     turn_rate: float
 
     def __post_init__(self) -> None:
+        if not self.name.strip():
+            raise InputError(f"action {self.name!r}: a name is needed")
         if not (math.isfinite(self.speed) and 0.0 <= self.speed <= 3.0):
             raise InputError(
                 f"action {self.name!r}: speed {self.speed!r} m/s is not allowed: 0 to 3 m/s"

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from studio.judgements import FloatArray
-from studio.painter.plots import round_range
+from studio.scales import round_range
 
 BINS = 24
 """Of a dot plot."""

@@ -196,9 +196,7 @@ def _theme(recording: Recording, look: Look) -> Theme:
     match recording:
         case SceneRecording():
             return theme.of(action.name for action in recording.rollouts.actions)
-        case ComparisonRecording():
-            return theme.of(recording.comparison.actions)
-        case StudyRecording():
+        case ComparisonRecording() | StudyRecording():
             return theme
 
 

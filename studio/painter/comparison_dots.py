@@ -6,8 +6,9 @@ import numpy as np
 
 from studio.dots import BINS, DOT_RADIUS, DotScale, IconGrid, Measure
 from studio.painter.canvas import Box, Canvas
-from studio.painter.plots import Axis, BoolArray, draw_ticks, ticks
+from studio.painter.plots import Axis, BoolArray, draw_ticks
 from studio.palette import Colour, blend
+from studio.scales import ticks
 
 _SMALLEST_PITCH = 2.0  # px; closer dots cannot be told apart, so bars stand for them
 

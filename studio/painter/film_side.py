@@ -8,16 +8,10 @@ from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.naming import number
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
 from studio.painter.film_crowd import between
-from studio.painter.plots import (
-    Axis,
-    draw_histogram,
-    draw_icons,
-    draw_ticks,
-    round_range,
-    ticks,
-)
+from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
 from studio.painter.titles import display_name
 from studio.palette import Colour, blend
+from studio.scales import round_range, ticks
 
 _BINS = 24
 

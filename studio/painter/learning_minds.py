@@ -31,8 +31,9 @@ from studio.painter.learning_results import (
     unit_vector,
 )
 from studio.painter.learning_scales import Scales
-from studio.painter.plots import Axis, ticks
+from studio.painter.plots import Axis
 from studio.palette import blend, learner_colour
+from studio.scales import ticks
 
 _MOST_SEEDS = 60
 """So many seeds are drawn one by one; more would only be a smear."""

@@ -23,8 +23,9 @@ from studio.painter.learning_plots import (
 )
 from studio.painter.learning_results import Results
 from studio.painter.learning_scales import Scales
-from studio.painter.plots import Axis, ticks
+from studio.painter.plots import Axis
 from studio.palette import Colour, learner_colour
+from studio.scales import ticks
 
 
 def draw_regret(

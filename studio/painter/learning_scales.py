@@ -12,7 +12,7 @@ from studio.painter.learning_results import (
     parameters_of,
     unit_vector,
 )
-from studio.painter.plots import round_range
+from studio.scales import round_range
 
 
 @dataclass(frozen=True)

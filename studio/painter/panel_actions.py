@@ -10,18 +10,10 @@ from scenes import FEATURES, Rollouts
 from studio.judgements import Judgement
 from studio.naming import number, teacher_name
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray
-from studio.painter.plots import (
-    Axis,
-    draw_histogram,
-    draw_icons,
-    draw_ticks,
-    icon_pitch,
-    round_range,
-    signed,
-    ticks,
-)
+from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks, icon_pitch, signed
 from studio.painter.titles import display_name
 from studio.palette import Colour, blend, contrast, teacher_colour
+from studio.scales import round_range, ticks
 
 _BINS = 24
 _NOTES = ["dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]

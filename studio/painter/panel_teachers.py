@@ -9,9 +9,10 @@ from scenes import Rollouts
 from studio.judgements import Judgement, utilities
 from studio.naming import number, teacher_name
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.plots import Axis, round_range, ticks
+from studio.painter.plots import Axis
 from studio.painter.titles import display_name
 from studio.palette import teacher_colour
+from studio.scales import round_range, ticks
 
 _PROBABILITY = ["probability p · thin: of gains, bold: of losses", "probability p", "p"]
 

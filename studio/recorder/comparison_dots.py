@@ -15,11 +15,11 @@ from studio.dots import DOT_RADIUS, DotScale, IconGrid, measures
 from studio.framing import Bounds
 from studio.judgements import FloatArray
 from studio.naming import number
-from studio.painter.plots import ticks
 from studio.palette import Theme, blend
 from studio.recorder import entities
 from studio.recorder.comparison_story import ends, story_times
 from studio.recorder.drawing import Drawing
+from studio.scales import ticks
 
 BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
 """What a view of the page must show."""

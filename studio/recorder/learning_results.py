@@ -23,6 +23,7 @@ from learners import (
     study_scenes,
     telling_scenes,
 )
+from learners.regrets import METADATA
 from studio.judgements import FloatArray
 
 CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
@@ -45,9 +46,6 @@ FAMILY_COLUMNS = ("regret", "regret_percent")
 
 TOLD_SCENES = 6
 """How many scenes are told of, over all teachers; of each teacher at least one."""
-
-METADATA = b"prospect_study"
-"""Key of the table's metadata that says what was studied."""
 
 Runs = dict[str, list[Any]]
 """Column to its values, one a seed."""

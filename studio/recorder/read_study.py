@@ -7,9 +7,9 @@ from typing import Any
 import pyarrow as pa
 
 from learners import STUDY_SCHEMA, CptParameters, Teacher
+from learners.regrets import METADATA
 from studio.recorder import learning_entities as entities
 from studio.recorder.contents import Contents
-from studio.recorder.learning_results import METADATA
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from studio.errors import InputError
 from studio.painter.canvas import Box, Canvas, View, disc_coverage
 from studio.painter.labels import Label, distance, place
-from studio.painter.plots import Axis, draw_icons, number, round_range, ticks
+from studio.painter.plots import Axis, draw_icons, number
 from studio.palette import (
     ACTION_COLOURS,
     LEARNER_COLOURS,
@@ -20,6 +20,7 @@ from studio.palette import (
     Theme,
     contrast,
 )
+from studio.scales import round_range, ticks
 
 WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
 
