@@ -22,7 +22,7 @@ _RINGS = (
 )  # distance from the thing, in heights of the label
 _COST_OF_INK = 12.0  # a label wholly on ink is as bad as this many heights of distance
 _COST_OF_SOLID_INK = 30.0  # and as this many more if the ink is as dark as text
-_SOLID = 0.6  # of black; what is drawn fainter can be written over
+_SOLID = 0.42  # of black: people and walls; what is drawn fainter can be written over
 _COST_OF_COVERING = 2.0  # heights; a label that lies on a line which must be seen
 _COST_OF_TURNING = 0.5  # heights; a label that is not where its thing points to
 _COST_OF_CONFUSION = 15.0  # heights; a label that lies nearer to another thing than to its own
