@@ -116,23 +116,17 @@ class Studio:
             InputError: if there is no such scene, a setting is not allowed (`scenes.InputError`),
                 or the folder cannot be written to.
         """
-        from scenes import simulate, warm_up
-
         found = self._find(scene, seed)
         files = self._files(found.name, png, mp4)
-        with replacing(*files) as parts:
-            with self.progress.waiting(_COMPILING):
-                warm_up(settings.get("engine", "batched"))
-            rollouts = simulate(found, seed=seed, **settings)
+        with replacing(*files) as [part, *pictures]:
+            rollouts = self._simulate(found, seed, settings)
 
             from studio.judgements import judge
-            from studio.recorder.read import read_recording
             from studio.recorder.recording import write_recording
 
             judgements = judge(rollouts)
-            write_recording(parts[0], rollouts, judgements)
-            # of the recording, not of what was simulated: the picture is the data
-            self._paint(parts[1:], read_recording(parts[0]))
+            write_recording(part, rollouts, judgements)
+            self._paint_recorded(part, pictures)
         return Recorded(rollouts, judgements, files)
 
     def compare(
@@ -162,24 +156,21 @@ class Studio:
             InputError: if there is no such scene or action, a setting is not allowed
                 (`scenes.InputError`), or the folder cannot be written to.
         """
-        from scenes import META_ACTIONS, simulate, warm_up
+        from scenes import META_ACTIONS
         from studio.comparison import check_two, compare
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
         files = self._files(file_name(found.name, one, other), png, mp4)
-        with replacing(*files) as parts:
-            with self.progress.waiting(_COMPILING):
-                warm_up(settings.get("engine", "batched"))
-            comparison = compare(simulate(found, seed=seed, **settings), one, other, seed)
+        with replacing(*files) as [part, *pictures]:
+            comparison = compare(self._simulate(found, seed, settings), one, other, seed)
 
             from studio.judgements import judge
             from studio.recorder.comparison import write_comparison_recording
-            from studio.recorder.read import read_recording
 
             judgements = judge(comparison.rollouts)
-            write_comparison_recording(parts[0], comparison, judgements)
-            self._paint(parts[1:], read_recording(parts[0]))
+            write_comparison_recording(part, comparison, judgements)
+            self._paint_recorded(part, pictures)
         return Compared(comparison, judgements, files)
 
     def render(
@@ -374,6 +365,21 @@ class Studio:
         """The recording, and the pictures that are wanted beside it."""
         suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
         return tuple(self.out / f"{name}{suffix}" for suffix in suffixes)
+
+    def _simulate(self, scene: Scene, seed: int, settings: dict[str, Any]) -> Rollouts:
+        """Simulate a scene, and say why if the engine has to be compiled first."""
+        from scenes import simulate, warm_up
+
+        with self.progress.waiting(_COMPILING):
+            warm_up(settings.get("engine", "batched"))
+        return simulate(scene, seed=seed, **settings)
+
+    def _paint_recorded(self, recording: Path, pictures: Sequence[Path]) -> None:
+        """Paint what was just recorded, not what was simulated: the picture is the data."""
+        if pictures:
+            from studio.recorder.read import read_recording
+
+            self._paint(pictures, read_recording(recording))
 
     def _paint(
         self,

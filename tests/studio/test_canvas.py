@@ -7,9 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from studio.errors import InputError
+from studio.naming import number
 from studio.painter.canvas import Box, Canvas, View, disc_coverage
 from studio.painter.labels import Label, distance, place
-from studio.painter.plots import Axis, draw_icons, number
+from studio.painter.plots import Axis, draw_icons
 from studio.palette import (
     ACTION_COLOURS,
     LEARNER_COLOURS,
