@@ -5,7 +5,7 @@ from learners.curves import Comparison, Curve, compare_learners, learning_curves
 from learners.errors import InputError
 from learners.eu import EuLearner
 from learners.evaluation import Calibration, Evaluation, evaluate
-from learners.fits import Fit, Learner, Problem, fit_many
+from learners.fits import Fit, Learner, Problem, fit_many, unit_vector
 from learners.parameters import PROFILES, REWARD, CptLike, CptParameters
 from learners.precision import Precision, attainable_precision
 from learners.preference_table import read_preferences
@@ -92,6 +92,7 @@ __all__ = [
     "study_scenes",
     "study_tasks",
     "telling_scenes",
+    "unit_vector",
     "value",
     "weight",
     "whole_table",

@@ -67,8 +67,7 @@ class Fit:
     @property
     def unit_theta(self) -> FloatArray:
         """θ/‖θ‖, [D]: the direction, which is what different learners can be compared in."""
-        length = float(np.sqrt((self.theta**2).sum()))
-        return self.theta / length if length > 0.0 else self.theta
+        return unit_vector(self.theta)
 
     def values(self, features: FloatArray) -> FloatArray:
         """Learnt value V of prospects whose features are [..., K, D], as [...]."""
@@ -107,6 +106,13 @@ class Problem(NamedTuple):
     prospects: Prospects
     preferences: Preferences
     beta: float = BETA
+
+
+def unit_vector(theta: Sequence[float] | FloatArray) -> FloatArray:
+    """θ/‖θ‖, [D]; zeros if there is no direction."""
+    array = np.asarray(theta, dtype=np.float64)
+    length = float(np.sqrt((array**2).sum()))
+    return array / length if length > 0.0 else array
 
 
 def fit_many(problems: Sequence[Problem], workers: int | None = None) -> list[Fit]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from learners import Teacher, value, weight
+from learners import Teacher, unit_vector, value, weight
 from studio.naming import number
 from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
 from studio.painter.learning_plots import (
@@ -28,7 +28,6 @@ from studio.painter.learning_results import (
     feature_names,
     numbers_of,
     parameters_of,
-    unit_vector,
 )
 from studio.painter.learning_scales import Scales
 from studio.painter.plots import Axis

@@ -281,14 +281,6 @@ def feature_names(count: int) -> list[str]:
     return [f"feature {index + 1}" for index in range(count)]
 
 
-def unit_vector(theta: Sequence[float]) -> FloatArray:
-    """θ/‖θ‖; zeros if there is nothing to divide by."""
-    array = np.array(theta, dtype=np.float64)
-    length = float(np.linalg.norm(array))
-    unit: FloatArray = array / length if length > 0.0 else array
-    return unit
-
-
 def calibration(rows: Sequence[Row]) -> FloatArray:
     """Where predictions miss, over all these fits.
 

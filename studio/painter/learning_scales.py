@@ -4,13 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from learners import value
+from learners import unit_vector, value
 from studio.painter.learning_results import (
     Results,
     calibration,
     numbers_of,
     parameters_of,
-    unit_vector,
 )
 from studio.scales import round_range
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import rerun as rr
 
-from learners import FEATURES, CptParameters, Curve, Teacher, value, weight
+from learners import FEATURES, CptParameters, Curve, Teacher, unit_vector, value, weight
 from studio.framing import Bounds
 from studio.judgements import FloatArray
 from studio.naming import learner_name, teacher_name
@@ -24,7 +24,6 @@ from studio.recorder.learning_results import (
     learnt_parameters,
     length,
     true_parameters,
-    unit,
 )
 
 GAIN_WEIGHTS, LOSS_WEIGHTS, VALUES = "weights_of_gains", "weights_of_losses", "values"
@@ -194,7 +193,7 @@ def log_parameters(stream: rr.RecordingStream, results: Results, teacher: Teache
     drawing.log(stream, path)
 
     truth = Drawing()
-    numbers = [*unit(teacher.reward), *true_parameters(teacher)]
+    numbers = [*unit_vector(teacher.reward), *true_parameters(teacher)]
     for (_, scale), y, number in zip(rows, heights, numbers, strict=True):
         across = float(scale(number))
         truth.line([(across, y - 0.4 * ROW), (across, y + 0.4 * ROW)], LIGHT.ink, 2.5)

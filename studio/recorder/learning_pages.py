@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from learners import BETA, FEATURES, TEACHERS, Curve, Teacher, compare_learners
+from learners import BETA, FEATURES, TEACHERS, Curve, Teacher, compare_learners, unit_vector
 from studio.naming import counted, learner_name, number, teacher_name
 from studio.recorder import learning_entities as entities
 from studio.recorder.learning_calibration import CALIBRATION
@@ -20,7 +20,7 @@ from studio.recorder.learning_minds import (
     SYMBOLS,
     VALUES,
 )
-from studio.recorder.learning_results import CPT_COLUMNS, Results, true_parameters, unit
+from studio.recorder.learning_results import CPT_COLUMNS, Results, true_parameters
 
 
 def summary_page(results: Results) -> str:
@@ -125,7 +125,7 @@ def about_page(
     rewards = [
         f"| {feature} | "
         + " | ".join(
-            f"{number(teacher.reward[place])} ({number(unit(teacher.reward)[place], '.2f')})"
+            f"{number(teacher.reward[place])} ({number(unit_vector(teacher.reward)[place], '.2f')})"
             for teacher in teachers
         )
         + " |"

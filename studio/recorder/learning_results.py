@@ -217,9 +217,3 @@ def true_parameters(teacher: Teacher) -> tuple[float, ...]:
 def length(theta: Sequence[float]) -> float:
     """Euclidean length of θ."""
     return float(np.sqrt(np.sum(np.square(theta))))
-
-
-def unit(theta: Sequence[float]) -> FloatArray:
-    """θ/‖θ‖, or zeros if there is no direction."""
-    direction: FloatArray = np.array(theta) / (length(theta) or 1.0)
-    return direction
