@@ -20,13 +20,13 @@ slow: $(VENV)/installed
 	$(RUN)/pytest -m slow
 
 benchmark: $(VENV)/installed
-	$(RUN)/python benchmarks/engine.py
-	$(RUN)/python benchmarks/commands.py
-	$(RUN)/python benchmarks/drawing.py
-	$(RUN)/python benchmarks/learning.py
+	$(RUN)/python -m benchmarks.engine
+	$(RUN)/python -m benchmarks.commands
+	$(RUN)/python -m benchmarks.drawing
+	$(RUN)/python -m benchmarks.learning
 
 gallery: $(VENV)/installed
-	$(RUN)/python docs/make_gallery.py
+	$(RUN)/python -m docs.make_gallery
 
 clean:
 	rm -rf $(VENV)

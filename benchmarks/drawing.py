@@ -29,12 +29,12 @@ from matplotlib.patches import Circle
 import scenes.reference  # noqa: F401  # imports pysocialforce, quietly and without matplotlib
 from scenes import META_ACTIONS, Rollouts, load_scene, simulate
 from scenes.scene import PEDESTRIAN_RADIUS
-from studio.headless import headless_viewer
-from studio.judgements import Judgement, judge
 from studio.painter.encode import write_gif, write_mp4
-from studio.painter.film import compose_film
-from studio.painter.film_crowd import between
-from studio.recorder.recording import write_recording
+from studio.scene.judgements import Judgement, judge
+from studio.scene.picture.crowd import between
+from studio.scene.picture.film import compose_film
+from studio.scene.recording.write import write_recording
+from tests.headless import headless_viewer
 
 SceneVisualizer = importlib.reload(sys.modules["pysocialforce.utils.plot"]).SceneVisualizer
 

@@ -6,7 +6,7 @@ of every pair. It has the same prior, starts from θ = 0 and the first of our st
 the gradient or the progress vanishes or after 200 evaluations. It runs a few fits of each size;
 from their times that of all fits of the study is extrapolated. Both may use every processor.
 
-    python benchmarks/learning.py [OUTCOMES.parquet]
+    python -m benchmarks.learning [OUTCOMES.parquet]
 
 Without a bank, one of 300 scenes is sampled first.
 """
@@ -40,9 +40,9 @@ from learners import (
     sample_pairs,
     split_scenes,
 )
-from learners.cpt import PARAMETER_DEVIATION, STARTS
-from learners.fits import REWARD_DEVIATION
-from learners.study import SIZES
+from learners.fitting.cpt import PARAMETER_DEVIATION, STARTS
+from learners.fitting.fits import REWARD_DEVIATION
+from learners.studying.study import SIZES
 from scenes.bank import BankPlan, write_bank
 
 SEEDS = 5

@@ -11,10 +11,10 @@ from pathlib import Path
 import av
 import cv2
 
-from studio.headless import headless_viewer
 from studio.orchestrator import Studio
-from studio.pictures import Excerpt, Look
-from studio.sources import Source
+from studio.recording import Excerpt, Look
+from studio.scene.sources import Source
+from tests.headless import headless_viewer
 
 PICTURES = Path(__file__).parent / "pictures"
 HERO = Source("intersection", number=11)

@@ -1,18 +1,21 @@
 """The mind: what people make of prospects, and what can be learned from their choices."""
 
-from learners.cpt import CptLearner
-from learners.curves import Comparison, Curve, compare_learners, learning_curves
+from learners.asking.preference_table import read_preferences
+from learners.asking.preferences import Pairs, Preferences, all_pairs, ask, sample_pairs
+from learners.asking.prospects import FEATURES, Prospects, read_bank
 from learners.errors import InputError
-from learners.eu import EuLearner
-from learners.evaluation import Calibration, Evaluation, evaluate
-from learners.fits import Fit, Learner, Problem, fit_many, unit_vector
-from learners.parameters import PROFILES, REWARD, CptLike, CptParameters
-from learners.precision import Precision, attainable_precision
-from learners.preference_table import read_preferences
-from learners.preferences import Pairs, Preferences, all_pairs, ask, sample_pairs
-from learners.prospects import FEATURES, Prospects, read_bank
-from learners.registry import LEARNERS, find_learners
-from learners.regrets import (
+from learners.fitting.cpt import CptLearner
+from learners.fitting.eu import EuLearner
+from learners.fitting.fits import Fit, Learner, Problem, fit_many, unit_vector
+from learners.fitting.precision import Precision, attainable_precision
+from learners.fitting.registry import LEARNERS, find_learners
+from learners.judging.parameters import PROFILES, REWARD, CptLike, CptParameters
+from learners.judging.teachers import BETA, TEACHERS, Teacher, find_teachers
+from learners.judging.values import decision_weights, expected_utility, prospect_value, value
+from learners.judging.weighting import Weighting, weight
+from learners.studying.curves import Comparison, Curve, compare_learners, learning_curves
+from learners.studying.evaluation import Calibration, Evaluation, evaluate
+from learners.studying.regrets import (
     SceneRegrets,
     StudyScene,
     family_curves,
@@ -21,8 +24,8 @@ from learners.regrets import (
     study_scenes,
     telling_scenes,
 )
-from learners.split import Split, split_scenes
-from learners.study import (
+from learners.studying.split import Split, split_scenes
+from learners.studying.study import (
     STUDY_SCHEMA,
     Study,
     Task,
@@ -32,9 +35,6 @@ from learners.study import (
     study_tasks,
     whole_table,
 )
-from learners.teachers import BETA, TEACHERS, Teacher, find_teachers
-from learners.values import decision_weights, expected_utility, prospect_value, value
-from learners.weighting import Weighting, weight
 
 __all__ = [
     "BETA",

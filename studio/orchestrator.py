@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from studio.errors import RunError
-from studio.figures import check_figure
 from studio.files import check_is_recording, file_name, replacing
 from studio.progress import Quiet
-from studio.sources import Source, find_scene
+from studio.scene.sources import Source, find_scene
+from studio.study.paper.check import check_figure
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
     from learners import Learner, Teacher
-    from learners.study import Study
+    from learners.studying.study import Study
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
-    from studio.comparison import Comparison
-    from studio.judgements import Judgement
-    from studio.pictures import Excerpt, Look
-    from studio.recorder.learning_scenes import SceneLink
-    from studio.recorder.read import Recording
+    from studio.comparison.comparison import Comparison
+    from studio.kinds import Recording
+    from studio.recording import Excerpt, Look
+    from studio.scene.judgements import Judgement
+    from studio.study.recording.scenes import SceneLink
 
 _COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
 
@@ -121,8 +121,8 @@ class Studio:
         with replacing(*files) as [part, *pictures]:
             rollouts = self._simulate(found, seed, settings)
 
-            from studio.judgements import judge
-            from studio.recorder.recording import write_recording
+            from studio.scene.judgements import judge
+            from studio.scene.recording.write import write_recording
 
             judgements = judge(rollouts)
             write_recording(part, rollouts, judgements)
@@ -157,7 +157,7 @@ class Studio:
                 (`scenes.InputError`), or the folder cannot be written to.
         """
         from scenes import META_ACTIONS
-        from studio.comparison import check_two, compare
+        from studio.comparison.comparison import check_two, compare
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
@@ -165,8 +165,8 @@ class Studio:
         with replacing(*files) as [part, *pictures]:
             comparison = compare(self._simulate(found, seed, settings), one, other, seed)
 
-            from studio.judgements import judge
-            from studio.recorder.comparison import write_comparison_recording
+            from studio.comparison.recording.write import write_comparison_recording
+            from studio.scene.judgements import judge
 
             judgements = judge(comparison.rollouts)
             write_comparison_recording(part, comparison, judgements)
@@ -196,8 +196,8 @@ class Studio:
             InputError: if the file is not a recording of the studio, an ending, the look or the
                 excerpt is not allowed, or a file cannot be written.
         """
-        from studio.pictures import Excerpt, Look, check_files
-        from studio.recorder.read import read_recording
+        from studio.kinds import read_recording
+        from studio.recording import Excerpt, Look, check_files
 
         source = Path(recording)
         wanted = tuple(map(Path, files)) or (source.with_suffix(".png"), source.with_suffix(".mp4"))
@@ -258,7 +258,7 @@ class Studio:
         """
         drawn = () if figure is None else (check_figure(Path(figure)),)
         from learners import find_learners, find_teachers, read_bank
-        from learners.study import Study
+        from learners.studying.study import Study
 
         who, fitted = find_teachers(teachers), find_learners(learners)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
@@ -272,8 +272,8 @@ class Studio:
         ):
             table = self._study(study, unfinished)
 
-            from studio.painter.learning import compose_learning_picture
-            from studio.recorder.learning import write_learning_recording
+            from studio.study.picture.page import compose_learning_picture
+            from studio.study.recording.write import write_learning_recording
 
             # first the scenes, so that no link ever leads nowhere
             links = self._record_scenes(study, table, bank)
@@ -282,7 +282,7 @@ class Studio:
             settings = {"outcomes": bank.name}
             write_learning_recording(rrd, table, study.teachers, settings, links)
             for paper in papers:
-                from studio.painter.paper_figure import paper_caption, write_paper_figure
+                from studio.study.paper.figure import paper_caption, write_paper_figure
 
                 write_paper_figure(paper, table, study.teachers)
                 caption = paper_caption(table, study.teachers)
@@ -294,11 +294,11 @@ class Studio:
         """Record the scenes that tell most about the learners, as far as they can be made again."""
         from scenes import warm_up
         from scenes.bank import read_plan
-        from studio.bank_scenes import FOLDER, scenes_again
-        from studio.judgements import judge
-        from studio.recorder.learning_results import Results
-        from studio.recorder.learning_scenes import SceneLink
-        from studio.recorder.recording import write_recording
+        from studio.scene.judgements import judge
+        from studio.scene.recording.write import write_recording
+        from studio.study.recording.scenes import SceneLink
+        from studio.study.results import Results
+        from studio.study.scenes import FOLDER, scenes_again
 
         plan = read_plan(bank)
         telling = Results(table, study.teachers).telling
@@ -320,7 +320,7 @@ class Studio:
 
     def _study(self, study: Study, unfinished: Path) -> pa.Table:
         """Run a study, keeping what is finished in a file."""
-        from learners.study import study_batches, whole_table
+        from learners.studying.study import study_batches, whole_table
 
         parts = finished_rows(study, unfinished)
         with self.progress.steps("fits") as done:
@@ -377,7 +377,7 @@ class Studio:
     def _paint_recorded(self, recording: Path, pictures: Sequence[Path]) -> None:
         """Paint what was just recorded, not what was simulated: the picture is the data."""
         if pictures:
-            from studio.recorder.read import read_recording
+            from studio.kinds import read_recording
 
             self._paint(pictures, read_recording(recording))
 
@@ -389,7 +389,7 @@ class Studio:
         excerpt: Excerpt | None = None,
     ) -> None:
         """Paint a recording into files, and tell how far a film is."""
-        from studio.pictures import Excerpt, Look, write_picture
+        from studio.recording import Excerpt, Look, write_picture
 
         look, excerpt = look or Look(), excerpt or Excerpt()
         for part in parts:
@@ -406,7 +406,7 @@ def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:
     import pyarrow.parquet as pq
 
     from learners import InputError as NotOfThisStudy
-    from learners.study import missing_tasks
+    from learners.studying.study import missing_tasks
 
     try:
         table = pq.read_table(unfinished)

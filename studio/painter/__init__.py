@@ -1,1 +1,1 @@
-"""The painter: pictures and films, drawn without a display."""
+"""The medium of pixels: tools that every picture and film is drawn with, without a display."""

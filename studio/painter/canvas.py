@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from studio.errors import InputError
-from studio.palette import Colour, Theme
+from studio.style.palette import Colour, Theme
 
 FloatArray = NDArray[np.float64]
 PixelArray = NDArray[np.uint8]

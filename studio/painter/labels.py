@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.painter.canvas import Box, Canvas, FloatArray, Point
-from studio.palette import Colour
+from studio.style.palette import Colour
 
 _DIRECTIONS = 24
 _RINGS = (

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.naming import number
 from studio.painter.canvas import Box, Canvas, FloatArray
-from studio.palette import Colour
+from studio.style.palette import Colour
+from studio.style.words import number
 
 BoolArray = NDArray[np.bool_]
 

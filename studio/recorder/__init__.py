@@ -1,1 +1,1 @@
-"""The recorder: what a person opens in the Rerun viewer."""
+"""The medium Rerun: tools that every kind of recording is written and read with."""

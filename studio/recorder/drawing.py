@@ -11,8 +11,8 @@ import numpy as np
 import rerun as rr
 from numpy.typing import ArrayLike
 
-from studio.judgements import FloatArray
-from studio.palette import LIGHT, Colour
+from studio.scene.judgements import FloatArray
+from studio.style.palette import LIGHT, Colour
 
 GROUND_REACH = 3000.0
 """The ground reaches this far from the origin, farther than any place of a scene, m."""

@@ -20,11 +20,11 @@ import numpy as np
 import pytest
 
 from scenes import META_ACTIONS
-from studio.headless import web_viewer
 from studio.orchestrator import Studio
 from studio.painter.encode import Segment, write_mp4
-from studio.painter.film import compose_film
-from studio.palette import ACTION_COLOURS, LEARNER_COLOURS, LIGHT, Colour
+from studio.scene.picture.film import compose_film
+from studio.style.palette import ACTION_COLOURS, LEARNER_COLOURS, LIGHT, Colour
+from tests.headless import web_viewer
 
 PATIENCE = 60.0
 

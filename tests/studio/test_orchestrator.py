@@ -9,9 +9,9 @@ import pytest
 from scenes import Noise, Pedestrian, Robot, Scene, simulate
 from studio.errors import InputError, RunError
 from studio.files import replacing
-from studio.judgements import judge, utilities
 from studio.orchestrator import Studio
-from studio.sources import Source, find_scene
+from studio.scene.judgements import judge, utilities
+from studio.scene.sources import Source, find_scene
 
 PLAIN = {"png": False, "mp4": False}
 
@@ -51,14 +51,14 @@ def test_the_viewer_starts_where_links_of_the_recording_start(
 def test_an_old_file_survives_a_run_that_fails(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import studio.pictures
+    import studio.recording
 
     def no_space_left(*_arguments: object, **_keywords: object) -> None:
         raise RunError("no space left")
 
     for suffix in (".rrd", ".png", ".mp4"):
         (tmp_path / f"doorway{suffix}").write_text("old")
-    monkeypatch.setattr(studio.pictures, "write_mp4", no_space_left)
+    monkeypatch.setattr(studio.recording, "write_mp4", no_space_left)
     with pytest.raises(RunError):
         Studio(tmp_path).record("doorway", rollouts=2, horizon=0.5)
     assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}

@@ -15,11 +15,11 @@ from click.testing import CliRunner, Result
 from scenes import MetaAction
 from studio.cli import main
 from studio.errors import InputError
+from studio.kinds import read_recording
 from studio.orchestrator import Studio
-from studio.painter.learning import compose_learning_picture
-from studio.palette import ACTION_COLOURS, DARK, LIGHT
-from studio.pictures import Excerpt, Look, compose_still, write_picture
-from studio.recorder.read import read_recording
+from studio.recording import Excerpt, Look, compose_still, write_picture
+from studio.study.picture.page import compose_learning_picture
+from studio.style.palette import ACTION_COLOURS, DARK, LIGHT
 
 DATA = Path(__file__).parent / "data"
 SMALL = Look(size=(640, 360), frames_per_second=10)

@@ -11,8 +11,8 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from studio.errors import InputError, RunError
-from studio.headless import HeadlessViewer, NoGraphicsError, headless_viewer
 from studio.recorder.stream import recording_to
+from tests.headless import HeadlessViewer, NoGraphicsError, headless_viewer
 
 SIZE = (1000, 640)
 BLANK = 0.01

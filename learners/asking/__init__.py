@@ -1,0 +1,1 @@
+"""What people are asked: prospects, pairs of them, and the choices between them."""

@@ -1,0 +1,148 @@
+"""Who preferred what: pairs of prospects, and the choices between them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.asking.prospects import Prospects
+from learners.errors import InputError
+from learners.judging.teachers import Teacher
+from learners.seeds import Stream, generator
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """N questions: which of two actions of a scene is better?
+
+    Attributes:
+        scenes: [N], places of the scenes.
+        first: [N], places of the one action.
+        second: [N], places of the other.
+        repeated: how many of the questions were asked before in this series.
+    """
+
+    scenes: IntArray
+    first: IntArray
+    second: IntArray
+    repeated: int = 0
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """N answers.
+
+    Attributes:
+        scenes: [N], places of the scenes.
+        preferred: [N], places of the actions that were preferred.
+        other: [N], places of the actions that were not.
+        certainty: mean probability, 0.5 to 1, with which the teacher would answer the same way
+            again as the likelier answer goes; not known of people. Answers that are all certain
+            teach little: they give no measure of how much better something is.
+        repeated: how many of the questions were asked before in this series.
+    """
+
+    scenes: IntArray
+    preferred: IntArray
+    other: IntArray
+    certainty: float | None = None
+    repeated: int = 0
+
+    def __len__(self) -> int:
+        return len(self.scenes)
+
+
+def all_pairs(scenes: int, actions: int) -> Pairs:
+    """Every pair of different actions of every scene, once."""
+    first, second = np.triu_indices(actions, k=1)
+    return Pairs(
+        scenes=np.repeat(np.arange(scenes), len(first)),
+        first=np.tile(first, scenes),
+        second=np.tile(second, scenes),
+    )
+
+
+def sample_pairs(
+    prospects: Prospects, count: int, seed: int, scenes: IntArray | None = None
+) -> Pairs:
+    """Draw pairs of different actions of one scene.
+
+    No pair comes twice before all have come once; when more are asked for than there are, they
+    all come again, in another order, and `Pairs.repeated` says how many did. A longer series of
+    the same seed begins with the shorter one.
+
+    Args:
+        prospects: the scenes and actions.
+        count: how many pairs, 1 or more.
+        seed: which series, 0 or more.
+        scenes: places of the scenes to ask about, such as those of `Split.training`; all if left
+            out.
+
+    Raises:
+        InputError: if the count or the seed is out of range.
+    """
+    if count < 1:
+        raise InputError(f"pairs {count} is not allowed: 1 or more")
+    if scenes is None:
+        scenes = np.arange(len(prospects.scenes))
+    there = all_pairs(len(scenes), len(prospects.actions))
+    distinct = len(there.scenes)
+    random = generator(seed, Stream.PAIRS)
+    rounds = [random.permutation(distinct) for _ in range(-(-count // distinct))]
+    drawn = np.concatenate(rounds)[:count]
+    is_swapped = generator(seed, Stream.SIDES).random(count) < 0.5
+    first, second = there.first[drawn], there.second[drawn]
+    return Pairs(
+        scenes=scenes[there.scenes[drawn]],
+        first=np.where(is_swapped, second, first),
+        second=np.where(is_swapped, first, second),
+        repeated=max(count - distinct, 0),
+    )
+
+
+def first_probability(values: FloatArray, pairs: Pairs, beta: float) -> FloatArray:
+    """Probability that the first of two is preferred, σ(β(V_first − V_second)), [N].
+
+    This is the model of Bradley and Terry ("Rank Analysis of Incomplete Block Designs",
+    Biometrika 39, 1952) with merits exp(βV).
+
+    Args:
+        values: [S, A], V of every prospect.
+        pairs: the questions.
+        beta: β, how decided the answers are.
+    """
+    advantage = values[pairs.scenes, pairs.first] - values[pairs.scenes, pairs.second]
+    # the hyperbolic tangent neither overflows nor loses the symmetry of the two sides
+    return np.asarray(0.5 + 0.5 * np.tanh(0.5 * beta * advantage), dtype=np.float64)
+
+
+def ask(teacher: Teacher, prospects: Prospects, pairs: Pairs, seed: int) -> Preferences:
+    """Let a teacher answer.
+
+    The answer to question n depends on the teacher, the question, the seed and n only, so that a
+    longer series begins with the answers of the shorter one, and two teachers who think alike
+    answer alike.
+
+    Args:
+        teacher: who answers.
+        prospects: what the pairs are about.
+        pairs: the questions.
+        seed: of what is random in the answers, 0 or more.
+    """
+    return answer(teacher.values(prospects.features), pairs, teacher.beta, seed)
+
+
+def answer(values: FloatArray, pairs: Pairs, beta: float, seed: int) -> Preferences:
+    """What someone answers to whom the prospects have these values [S, A], see `ask`."""
+    probability = first_probability(values, pairs, beta)
+    is_first = generator(seed, Stream.LABELS).random(len(pairs.scenes)) < probability
+    return Preferences(
+        scenes=pairs.scenes,
+        preferred=np.where(is_first, pairs.first, pairs.second),
+        other=np.where(is_first, pairs.second, pairs.first),
+        certainty=float(np.maximum(probability, 1.0 - probability).mean()),
+        repeated=pairs.repeated,
+    )

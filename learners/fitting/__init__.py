@@ -1,0 +1,1 @@
+"""What is learned from choices: the objective, the descent, and the learners."""

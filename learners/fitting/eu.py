@@ -1,0 +1,73 @@
+"""The learner who takes people for maximisers of expected utility."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.asking.preferences import Preferences
+from learners.asking.prospects import Prospects
+from learners.fitting.descent import Optimum, minimise
+from learners.fitting.fits import (
+    LONGEST_REWARD_STEP,
+    REWARD_DEVIATION,
+    Fit,
+    asked_prospects,
+)
+from learners.fitting.likelihood import Choices, Prior
+from learners.judging.teachers import BETA
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class EuLearner:
+    """Fits V = θ·(mean φ): θ, and nothing else.
+
+    Attributes:
+        reward_deviation: standard deviation of the prior of each number of θ.
+    """
+
+    reward_deviation: float = REWARD_DEVIATION
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return "eu"
+
+    def description(self) -> dict[str, object]:
+        """All that makes the learner, in plain types."""
+        return {"name": self.name, "reward_deviation": self.reward_deviation}
+
+    def fit(self, prospects: Prospects, preferences: Preferences, beta: float = BETA) -> Fit:
+        """Find the θ that best explains the choices; the minimum is unique.
+
+        Raises:
+            InputError: if there is no choice, or β is out of range.
+        """
+        features, choices = asked_prospects(prospects, preferences, beta)
+        found = fit_mean_utility(features.mean(axis=1), choices, self.reward_deviation)
+        return Fit(
+            learner=self.name,
+            theta=found.z,
+            parameters=None,
+            reference=0.0,
+            beta=beta,
+            pairs=len(preferences),
+            nll=found.nll / len(preferences),
+            converged=found.converged,
+            steps=found.steps,
+            expected_decrease=found.expected_decrease,
+        )
+
+
+def fit_mean_utility(means: FloatArray, choices: Choices, deviation: float) -> Optimum:
+    """Fit θ to choices between prospects of mean features [P, D], from θ = 0."""
+    every = np.ones(means.shape[1])
+    return minimise(
+        lambda theta: ((theta * means).sum(axis=1), means),
+        choices,
+        Prior(mean=0.0 * every, deviation=deviation * every),
+        start=0.0 * every,
+        longest_step=LONGEST_REWARD_STEP * every,
+    )

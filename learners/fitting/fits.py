@@ -1,0 +1,154 @@
+"""What a learner is, and what it hands back.
+
+A further learner is one file with a class that has a `name`, a `fit` and a `description`; what it
+returns is a `Fit`, or a subclass with its own `values` if it values prospects in another way.
+"""
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.asking.preferences import Preferences
+from learners.asking.prospects import Prospects
+from learners.errors import InputError
+from learners.fitting.likelihood import Choices
+from learners.judging.parameters import CptParameters
+from learners.judging.teachers import BETA, check_beta
+from learners.judging.values import expected_utility, prospect_value
+
+FloatArray = NDArray[np.float64]
+
+REWARD_DEVIATION = 1.0
+"""Standard deviation of the prior of each number of θ, around 0.
+
+Features are of the order of 1, so with β = 20 this says no more than that a unit of one feature is
+worth some tens of a choice's log-odds at most; choices that can be explained in every detail
+(separable ones) therefore end in a finite θ.
+"""
+
+LONGEST_REWARD_STEP = 0.5
+"""How far a number of θ may move in one step of a fit."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """What was learned from N choices.
+
+    Attributes:
+        learner: name of the learner.
+        theta: [D], θ. Its length and the exponents and β trade off: choices tell β‖θ‖^α.
+        parameters: α, η, λ, γ, δ; none of expected utility.
+        reference: r, in units of utility.
+        beta: β that the choices were taken to have.
+        pairs: N.
+        nll: mean negative log-likelihood of the N choices, nats a choice.
+        converged: whether the fit ended because there was nothing left to gain.
+        steps: how many steps the search took.
+        expected_decrease: by how much one more step promised to lower the objective, nats in all;
+            see `descent`.
+    """
+
+    learner: str
+    theta: FloatArray
+    parameters: CptParameters | None
+    reference: float
+    beta: float
+    pairs: int
+    nll: float
+    converged: bool
+    steps: int
+    expected_decrease: float
+
+    @property
+    def unit_theta(self) -> FloatArray:
+        """θ/‖θ‖, [D]: the direction, which is what different learners can be compared in."""
+        return unit_vector(self.theta)
+
+    def values(self, features: FloatArray) -> FloatArray:
+        """Learnt value V of prospects whose features are [..., K, D], as [...]."""
+        utilities = features @ self.theta
+        if self.parameters is None:
+            worth: FloatArray = expected_utility(utilities)
+        else:
+            worth = prospect_value(utilities, self.parameters, reference=self.reference)
+        return worth
+
+
+class Learner(Protocol):
+    """A model of people that can be fitted to their choices."""
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+
+    def fit(self, prospects: Prospects, preferences: Preferences, beta: float = BETA) -> Fit:
+        """Find the person that best explains the choices.
+
+        Args:
+            prospects: what the choices are about.
+            preferences: the choices.
+            beta: how decided the choices are; it fixes the scale of θ.
+        """
+
+    def description(self) -> dict[str, object]:
+        """All that makes the learner, in plain types."""
+
+
+class Problem(NamedTuple):
+    """One thing to fit: the arguments of `Learner.fit`."""
+
+    learner: Learner
+    prospects: Prospects
+    preferences: Preferences
+    beta: float = BETA
+
+
+def unit_vector(theta: Sequence[float] | FloatArray) -> FloatArray:
+    """θ/‖θ‖, [D]; zeros if there is no direction."""
+    array = np.asarray(theta, dtype=np.float64)
+    length = float(np.sqrt((array**2).sum()))
+    return array / length if length > 0.0 else array
+
+
+def fit_many(problems: Sequence[Problem], workers: int | None = None) -> list[Fit]:
+    """Fit a batch of problems side by side.
+
+    A fit works on what fits into a processor's cache, so that problems are best handed out one by
+    one; stacking them into larger arrays would be slower, and would let rounding in one depend on
+    what else is in the batch. As it is, a fit is the same bits alone and in company.
+
+    Args:
+        problems: what to fit.
+        workers: how many at a time; one per processor if left out.
+
+    Returns:
+        The fits, in the order of the problems.
+    """
+    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
+        return list(pool.map(lambda p: p.learner.fit(p.prospects, p.preferences, p.beta), problems))
+
+
+def asked_prospects(
+    prospects: Prospects, preferences: Preferences, beta: float
+) -> tuple[FloatArray, Choices]:
+    """The P different prospects that the choices are about, [P, K, D], and the choices among them.
+
+    Raises:
+        InputError: if there is no choice, or β is out of range.
+    """
+    check_beta(beta)
+    if len(preferences) == 0:
+        raise InputError("preferences: none is there: one choice or more is needed")
+    scenes, actions, outcomes, count = prospects.features.shape
+    preferred, other = (
+        preferences.scenes * actions + action
+        for action in (preferences.preferred, preferences.other)
+    )
+    asked, places = np.unique(np.concatenate([preferred, other]), return_inverse=True)
+    features = prospects.features.reshape(scenes * actions, outcomes, count)[asked]
+    return features, Choices(places[: len(preferred)], places[len(preferred) :], beta)

@@ -1,0 +1,32 @@
+"""The learners that can be asked for by name."""
+
+from collections.abc import Iterable
+
+from learners.errors import InputError
+from learners.fitting.cpt import CptLearner
+from learners.fitting.eu import EuLearner
+from learners.fitting.fits import Learner
+
+LEARNERS: dict[str, Learner] = {
+    learner.name: learner
+    for learner in (
+        EuLearner(),
+        CptLearner(),
+        CptLearner(tied=True),
+        CptLearner(learns_reference=True),
+        CptLearner(tied=True, learns_reference=True),
+    )
+}
+
+
+def find_learners(names: Iterable[Learner | str]) -> tuple[Learner, ...]:
+    """The learners of these names; a learner in place of a name stands for itself.
+
+    Raises:
+        InputError: if one is unknown.
+    """
+    wanted = tuple(names)
+    for name in wanted:
+        if isinstance(name, str) and name not in LEARNERS:
+            raise InputError(f"learner {name!r} is not allowed: {', '.join(LEARNERS)}")
+    return tuple(LEARNERS[name] if isinstance(name, str) else name for name in wanted)

@@ -1,0 +1,1 @@
+"""How people judge: value functions, probability weighting, and teachers of known taste."""

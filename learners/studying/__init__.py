@@ -1,0 +1,1 @@
+"""Studies of learners: who learns what from whom, put to the test on held-out scenes."""

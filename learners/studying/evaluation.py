@@ -1,0 +1,117 @@
+"""How well something learnt stands the test of held-out scenes: regret, agreement, calibration."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.asking.preferences import all_pairs, first_probability
+from learners.judging.teachers import BETA
+
+FloatArray = NDArray[np.float64]
+
+CALIBRATION_BINS = 10
+"""Into how many equal parts predicted probabilities, 0 to 1, are sorted."""
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Whether people prefer as often as predicted, in bins of predicted probability.
+
+    Every pair is counted from both sides, so the lower half mirrors the upper one.
+
+    Attributes:
+        count: [bins], how many predictions fall into the bin.
+        predicted: [bins], their mean; not a number where there is none.
+        preferred: [bins], the mean probability with which the teacher prefers so; likewise.
+    """
+
+    count: NDArray[np.int64]
+    predicted: FloatArray
+    preferred: FloatArray
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """How a learner's choices suit the teacher.
+
+    Attributes:
+        regret: mean over scenes of V_teacher(best action) − V_teacher(picked action).
+        regret_percent: the same in % of what an action picked at random would cost.
+        agreement: share of scenes in which the teacher's best action is picked, 0 to 1.
+        nll: expected negative log-likelihood of the teacher's answers to all pairs of the scenes,
+            nats a pair.
+        nll_teacher: the same if the teacher predicts the own answers: the least possible.
+        calibration: of the predicted answers to all pairs of the scenes.
+        scene_regret: [S], V_teacher(best action) − V_teacher(picked action) in each scene.
+        scene_picks: [S], place of the action that the learner picks there.
+    """
+
+    regret: float
+    regret_percent: float
+    agreement: float
+    nll: float
+    nll_teacher: float
+    calibration: Calibration
+    scene_regret: FloatArray
+    scene_picks: NDArray[np.int64]
+
+
+def evaluate(
+    values: FloatArray, truth: FloatArray, beta: float = BETA, teacher_beta: float | None = None
+) -> Evaluation:
+    """Measure learnt values of prospects against a teacher's.
+
+    The action of the highest value is picked, of equal ones the first. Where no action can be
+    better than another, in any scene, the regret is 0 %.
+
+    Args:
+        values: [S, A], what was learned, of scenes that were not learned from.
+        truth: [S, A], what the teacher thinks of the same prospects.
+        beta: β that the learner takes choices to have.
+        teacher_beta: β of the teacher; the same if left out.
+    """
+    best = truth.max(axis=1)
+    picks = values.argmax(axis=1)
+    got = np.take_along_axis(truth, picks[:, None], axis=1)[:, 0]
+    regret = float((best - got).mean())
+    random_regret = float((best - truth.mean(axis=1)).mean())
+
+    if teacher_beta is None:
+        teacher_beta = beta
+    pairs = all_pairs(*truth.shape)
+    predicted = first_probability(values, pairs, beta)
+    preferred = first_probability(truth, pairs, teacher_beta)
+    log_odds, true_log_odds = (
+        decided * (worth[pairs.scenes, pairs.first] - worth[pairs.scenes, pairs.second])
+        for decided, worth in ((beta, values), (teacher_beta, truth))
+    )
+    return Evaluation(
+        regret=regret,
+        regret_percent=100.0 * regret / random_regret if random_regret > 0.0 else 0.0,
+        agreement=float((got == best).mean()),
+        nll=_cross_entropy(preferred, log_odds),
+        nll_teacher=_cross_entropy(preferred, true_log_odds),
+        calibration=_calibrate(predicted, preferred),
+        scene_regret=best - got,
+        scene_picks=picks,
+    )
+
+
+def _cross_entropy(preferred: FloatArray, log_odds: FloatArray) -> float:
+    losses = preferred * np.logaddexp(0.0, -log_odds)
+    losses += (1.0 - preferred) * np.logaddexp(0.0, log_odds)
+    return float(losses.mean())
+
+
+def _calibrate(predicted: FloatArray, preferred: FloatArray) -> Calibration:
+    both_predicted = np.concatenate([predicted, 1.0 - predicted])
+    both_preferred = np.concatenate([preferred, 1.0 - preferred])
+    bins = np.minimum((both_predicted * CALIBRATION_BINS).astype(np.int64), CALIBRATION_BINS - 1)
+    count = np.bincount(bins, minlength=CALIBRATION_BINS)
+    with np.errstate(invalid="ignore"):
+        mean_predicted, mean_preferred = (
+            np.bincount(bins, weights=numbers, minlength=CALIBRATION_BINS) / count
+            for numbers in (both_predicted, both_preferred)
+        )
+    return Calibration(count, mean_predicted, mean_preferred)

@@ -1,0 +1,225 @@
+"""Where the regret of a study lies: in which families of scenes, and in which scenes.
+
+The table of a study tells the regret in every scene that was held out, seed by seed. From seed to
+seed other scenes are held out, so a scene has as many regrets as seeds that kept it back.
+"""
+
+import json
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+from numpy.typing import NDArray
+
+from learners.asking.prospects import Prospects
+from learners.errors import InputError
+from learners.studying.curves import Curve, learning_curves
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+METADATA = b"prospect_study"
+"""Key of a study's table's metadata, JSON, that says what was studied."""
+
+
+@dataclass(frozen=True)
+class StudyScene:
+    """A scene of a study, and what it is to the teachers.
+
+    Attributes:
+        scene: its id in the bank.
+        family: the kind of scene.
+        pattern: how people meet in it.
+        best: the action that each teacher would pick, by the teacher's name.
+        random_regret: what an action picked at random would cost each teacher, in units of value.
+    """
+
+    scene: int
+    family: str
+    pattern: str
+    best: dict[str, str]
+    random_regret: dict[str, float]
+
+
+@dataclass(frozen=True)
+class SceneRegrets:
+    """What one learner's picks cost one teacher in every scene that was held out at least once.
+
+    Attributes:
+        teacher: who was learned from.
+        learner: who learned.
+        pairs: from how many pairs.
+        scenes: [S], ids, ascending.
+        runs: [S], how many seeds held the scene out.
+        regret: [S], mean over these seeds, in units of value.
+        picks: S names of actions: what was picked in most of these seeds.
+    """
+
+    teacher: str
+    learner: str
+    pairs: int
+    scenes: IntArray
+    runs: IntArray
+    regret: FloatArray
+    picks: tuple[str, ...]
+
+
+def described_scenes(
+    prospects: Prospects, truths: Mapping[str, FloatArray]
+) -> tuple[StudyScene, ...]:
+    """What is known of each scene whoever learns.
+
+    Args:
+        prospects: the scenes.
+        truths: what all prospects are worth to each teacher, [S, A], by the teacher's name.
+    """
+    best = {name: truth.argmax(axis=1) for name, truth in truths.items()}
+    costs = {name: truth.max(axis=1) - truth.mean(axis=1) for name, truth in truths.items()}
+    return tuple(
+        StudyScene(
+            scene=int(prospects.scenes[place]),
+            family=prospects.families[place],
+            pattern=prospects.patterns[place],
+            best={name: prospects.actions[picks[place]] for name, picks in best.items()},
+            random_regret={name: float(cost[place]) for name, cost in costs.items()},
+        )
+        for place in range(len(prospects.scenes))
+    )
+
+
+def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
+    """The scenes of a study, those to learn from too, by their ids in the bank.
+
+    Args:
+        table: rows of a study with its metadata.
+
+    Raises:
+        InputError: if the table does not say what its scenes are.
+    """
+    try:
+        told = json.loads((table.schema.metadata or {})[METADATA])["scenes"]
+        return {scene["scene"]: StudyScene(**scene) for scene in told}
+    except (KeyError, TypeError, ValueError):
+        raise InputError(
+            "table: rows without a description of their scenes are not allowed: rows of a study"
+        ) from None
+
+
+def family_table(table: pa.Table) -> pa.Table:
+    """The regret of every fit in each family of scenes.
+
+    Args:
+        table: rows of a study with its metadata.
+
+    Returns:
+        One row a fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes` (how
+        many of the family were held out), `regret` (mean over these, in units of value) and
+        `regret_percent` (the same in % of what an action picked at random would cost in these
+        scenes; 0 where no action can be better than another).
+
+    Raises:
+        InputError: if the table does not say what its scenes are.
+    """
+    scenes = study_scenes(table)
+    return pa.Table.from_pylist([cell for row in _rows(table) for cell in _by_family(row, scenes)])
+
+
+def family_curves(table: pa.Table, column: str = "regret_percent") -> dict[str, list[Curve]]:
+    """Learning curves of each family, see `learning_curves`; families by name.
+
+    Args:
+        table: rows of a study with its metadata.
+        column: `regret_percent` or `regret`, see `family_table`.
+
+    Raises:
+        InputError: if the table does not say what its scenes are, or there is no such column.
+    """
+    cells = family_table(table)
+    families = sorted(set(cells["family"].to_pylist()))
+    return {
+        family: learning_curves(cells.filter(pc.equal(cells["family"], family)), column)
+        for family in families
+    }
+
+
+def scene_regrets(table: pa.Table) -> list[SceneRegrets]:
+    """The mean regret in every scene, for each teacher, learner and number of pairs of a table."""
+    found: dict[tuple[str, str, int], dict[int, list[tuple[float, str]]]] = {}
+    for row in _rows(table):
+        by_scene = found.setdefault((row["teacher"], row["learner"], row["pairs"]), {})
+        for scene, *outcome in zip(
+            row["held_out_scenes"], row["scene_regret"], row["scene_picks"], strict=True
+        ):
+            by_scene.setdefault(scene, []).append(tuple(outcome))
+    return [
+        SceneRegrets(
+            *task,
+            scenes=np.array(sorted(by_scene), dtype=np.int64),
+            runs=np.array([len(by_scene[scene]) for scene in sorted(by_scene)]),
+            regret=np.array(
+                [np.mean([regret for regret, _ in by_scene[scene]]) for scene in sorted(by_scene)]
+            ),
+            picks=tuple(
+                Counter(pick for _, pick in by_scene[scene]).most_common(1)[0][0]
+                for scene in sorted(by_scene)
+            ),
+        )
+        for task, by_scene in found.items()
+    ]
+
+
+def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
+    """The scenes that tell most about the learners of each teacher, the most telling first.
+
+    These are the scenes in which the learners' regrets differ most at the largest number of pairs
+    and, where they do not differ, in which the regret is largest. Scenes without regret are left
+    out.
+
+    Args:
+        table: rows of a study.
+        count: how many scenes a teacher, at most.
+
+    Returns:
+        Ids of scenes by the teacher's name.
+    """
+    found: dict[str, tuple[int, ...]] = {}
+    everything = scene_regrets(table)
+    for teacher in dict.fromkeys(each.teacher for each in everything):
+        ours = [each for each in everything if each.teacher == teacher]
+        last = max(each.pairs for each in ours)
+        learners = [each for each in ours if each.pairs == last]
+        shared = sorted(set.intersection(*(set(each.scenes.tolist()) for each in learners)))
+        by_learner = np.array([each.regret[np.isin(each.scenes, shared)] for each in learners])
+        most = by_learner.max(axis=0)  # (S,)
+        order = np.lexsort((-most, by_learner.min(axis=0) - most))
+        found[teacher] = tuple(shared[place] for place in order if most[place] > 0.0)[:count]
+    return found
+
+
+def _rows(table: pa.Table) -> list[dict[str, Any]]:
+    names = ("teacher", "learner", "pairs", "seed")
+    lists = ("held_out_scenes", "scene_regret", "scene_picks")
+    rows: list[dict[str, Any]] = table.select([*names, *lists]).to_pylist()
+    return sorted(rows, key=lambda row: int(row["seed"]))
+
+
+def _by_family(row: dict[str, Any], scenes: Mapping[int, StudyScene]) -> Iterator[dict[str, Any]]:
+    """The regret of one fit in each family."""
+    tested = [scenes[scene] for scene in row["held_out_scenes"]]
+    families = np.array([scene.family for scene in tested])
+    regret = np.array(row["scene_regret"])
+    random_regret = np.array([scene.random_regret[row["teacher"]] for scene in tested])
+    for family in sorted(set(families.tolist())):
+        ours = families == family
+        cost = random_regret[ours].mean()
+        yield {
+            **{name: row[name] for name in ("teacher", "learner", "pairs", "seed")},
+            "family": family,
+            "scenes": int(ours.sum()),
+            "regret": regret[ours].mean(),
+            "regret_percent": 100.0 * regret[ours].mean() / cost if cost > 0.0 else 0.0,
+        }

@@ -1,0 +1,181 @@
+"""Where dots lie that each stand for one outcome: icon arrays, and dot plots on a common axis.
+
+What both sides of a comparison share, bins and the size of dots, is found from both, so equal
+numbers look equal.
+
+References: Garcia-Retamero and Galesic, "Communicating treatment risk reduction to people with low
+numeracy skills", American Journal of Public Health 2009 (icon arrays with one denominator);
+Fernandes et al., "Uncertainty displays using quantile dotplots or CDFs improve transit
+decision-making", CHI 2018 (one dot an outcome).
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenes import Rollouts
+from studio.scene.judgements import FloatArray
+from studio.style.ticks import round_range
+
+BINS = 24
+"""Of a dot plot."""
+
+APART = 2
+"""So many bins at the left of a dot plot set its lowest value apart: its own, and an empty one."""
+
+DOT_RADIUS = 0.42
+"""Of a dot, in pitches; a pitch is the distance from one dot to the next."""
+
+MOST_ROWS = 100
+"""Of dots in an icon array, and of dots abreast in a bin."""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """What a dot plot shows of every outcome.
+
+    Attributes:
+        names: what it is, with its unit, the longest wording first.
+        values: [A, K].
+        low: left end of the axis, 0 unless there are values below.
+        high: right end of the axis.
+        apart: how many bins come before those of the axis: 0, or `APART` if the first of all is
+            for nothing but the lowest value.
+    """
+
+    names: tuple[str, ...]
+    values: FloatArray
+    low: float
+    high: float
+    apart: int = 0
+
+    def bins(self) -> NDArray[np.int64]:
+        """The bin that each outcome falls into, [A, K]."""
+        shares = (self.values - self.low) / (self.high - self.low)
+        along = BINS - self.apart
+        # a value on the edge of two bins counts in the right one, whatever rounding does to it
+        bins = self.apart + np.clip(np.floor(shares * along + 1e-9), 0, along - 1).astype(np.int64)
+        return np.where(self.values <= self.low, 0, bins)
+
+    def at(self, value: float) -> float:
+        """Where a value lies on the axis, as a share of the width of the plot."""
+        if self.apart and value <= self.low:
+            return 0.5 / BINS
+        share = (value - self.low) / (self.high - self.low)
+        return (self.apart + share * (BINS - self.apart)) / BINS
+
+    def lines(self) -> list[tuple[float, float]]:
+        """From where to where the axis runs, as shares of the width of the plot.
+
+        It is broken where a bin is set apart.
+        """
+        own = [(0.0, 1.0 / BINS)] if self.apart else []
+        return [*own, (self.apart / BINS, 1.0)]
+
+
+def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
+    """What to show of outcomes: progress, and the gap to people if there are any.
+
+    A gap of 0, the robot touching somebody, is set apart from however small a gap.
+    """
+    progress, gap = rollouts.progress_m, rollouts.clearance_m
+    ends = round_range(min(0.0, float(progress.min())), float(progress.max()))
+    shown = [Measure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)]
+    if rollouts.scene.pedestrians:
+        ends = round_range(0.0, max(float(gap.max()), 0.1))
+        names = ("smallest gap to a person, m", "gap to a person, m", "gap")
+        shown.append(Measure(names, gap, *ends, APART))
+    return tuple(shown)
+
+
+@dataclass(frozen=True)
+class IconGrid:
+    """An array of dots in columns: contacts fill it up from the left, the rest from the right.
+
+    So no dot ever changes its colour once it has one, and in the end the two meet. Lengths are in
+    the unit of the room that it was fitted to.
+
+    Attributes:
+        count: how many outcomes there are.
+        rows: how many dots a column has.
+        pitch: from one dot to the next.
+    """
+
+    count: int
+    rows: int
+    pitch: float
+
+    @classmethod
+    def fit(cls, width: float, height: float, count: int, largest_pitch: float) -> "IconGrid":
+        """The one with the largest dots."""
+
+        def pitch(rows: int) -> float:
+            return min(width / math.ceil(count / rows), height / rows, largest_pitch)
+
+        rows = max(range(1, min(count, MOST_ROWS) + 1), key=pitch)
+        return cls(count, rows, pitch(rows))
+
+    @property
+    def width(self) -> float:
+        """Of all columns."""
+        return math.ceil(self.count / self.rows) * self.pitch
+
+    @property
+    def height(self) -> float:
+        """Of a column."""
+        return self.rows * self.pitch
+
+    def places(self) -> FloatArray:
+        """Middle of every dot, [count, 2], from the top left corner, down."""
+        column, row = np.divmod(np.arange(self.count), self.rows)
+        middles: FloatArray = (np.stack([column, row], axis=-1) + 0.5) * self.pitch
+        return middles
+
+
+@dataclass(frozen=True)
+class DotScale:
+    """How the dots of a measure are stacked, under every action alike.
+
+    Lengths are in the unit of the room that it was fitted to.
+
+    Attributes:
+        bins: [A, K], the bin that each outcome falls into.
+        width: of a bin.
+        abreast: how many dots stand side by side in a bin.
+        pitch: from one dot to the next.
+    """
+
+    bins: NDArray[np.int64]
+    width: float
+    abreast: int
+    pitch: float
+
+    @classmethod
+    def fit_all(
+        cls, shown: Sequence[Measure], width: float, height: float, largest_pitch: float
+    ) -> "list[DotScale]":
+        """Scales of several measures with dots of one size, the largest that suits them all."""
+        pitches = [cls.fit(measure, width, height, largest_pitch).pitch for measure in shown]
+        return [cls.fit(measure, width, height, min(pitches)) for measure in shown]
+
+    @classmethod
+    def fit(cls, measure: Measure, width: float, height: float, largest_pitch: float) -> "DotScale":
+        """The scale with the largest dots at which the tallest stack stays in the room."""
+        bins = measure.bins()
+        tallest = max(int(np.bincount(row).max()) for row in bins)
+
+        def pitch(abreast: int) -> float:
+            stacked = math.ceil(tallest / abreast)
+            return min(width / BINS / abreast, height / stacked, largest_pitch)
+
+        abreast = max(range(1, MOST_ROWS + 1), key=pitch)
+        return cls(bins, width / BINS, abreast, pitch(abreast))
+
+    def place(self, place: int, number: int) -> tuple[float, float]:
+        """Middle of the dot with this number in its bin, from the bottom left corner, up."""
+        row, column = divmod(number, self.abreast)
+        across = (place + 0.5) * self.width + (column - (self.abreast - 1) / 2) * self.pitch
+        return across, (row + 0.5) * self.pitch

@@ -1,0 +1,143 @@
+"""The film of a comparison: every outcome of two actions in turn, side by side, then the picture.
+
+The k-th outcome plays on both sides at once: the same people with the same luck.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from studio.comparison.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
+from studio.comparison.picture.page import Page, Show, compose_comparison_picture, lay_out
+from studio.errors import InputError
+from studio.painter.canvas import Canvas, FloatArray, PixelArray
+from studio.painter.encode import Segment
+from studio.style.palette import LIGHT, Theme
+from studio.style.words import counted
+
+MOST_PLAYED = 300
+"""Of more outcomes only so many move; the paths of the others appear beside theirs."""
+
+_SEGMENTS = 6  # that the outcomes are cut into; each costs a key frame and draws what came before
+
+
+def compose_comparison_film(
+    comparison: Comparison,
+    size: tuple[int, int],
+    frames_per_second: int,
+    theme: Theme = LIGHT,
+    span: tuple[float, float] | None = None,
+) -> list[Segment]:
+    """The film as segments: both scenes at rest, the outcomes in parts, and the closing picture.
+
+    A film that does not begin with the first outcome does not show the scenes at rest, and one that
+    does not run to the last has no closing picture.
+
+    Args:
+        comparison: of two actions.
+        size: width and height, px; even.
+        frames_per_second: whole.
+        theme: of the page.
+        span: from which outcome to which it plays, the first being 1; all of them if left out.
+
+    Raises:
+        InputError: if the size is not allowed, or there are no such outcomes.
+    """
+    page = lay_out(comparison, size, theme)
+    count = comparison.rollouts.robot.shape[1]
+    pace = Pace.of(count, frames_per_second)
+    first, last = span or (1, count)
+    turns = [turn for turn in range(pace.turns) if first <= pace.shown(turn) + 1 <= last]
+    if not 1 <= first <= last <= count or not turns:
+        raise InputError(
+            f"--from, --to: outcomes {first:g} to {last:g} are not allowed: within 1 to {count}"
+        )
+    opening, ending = round(OPENING * frames_per_second), round(ENDING * frames_per_second)
+
+    def at_rest() -> Iterator[PixelArray]:
+        pixels = rest(page).pixels
+        return (pixels for _ in range(opening))
+
+    def closing() -> Iterator[PixelArray]:
+        pixels = compose_comparison_picture(comparison, size, theme).pixels
+        return (pixels for _ in range(ending))
+
+    segments = [Segment(opening, at_rest)] if first == 1 else []
+    for part in np.array_split(np.array(turns), min(_SEGMENTS, len(turns))):
+
+        def frames(part: range = range(part[0], part[-1] + 1)) -> Iterator[PixelArray]:
+            return (canvas.pixels for canvas in play(page, pace, part))
+
+        segments.append(Segment(len(part) * pace.frames, frames))
+    return [*segments, Segment(ending, closing)] if last == count else segments
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How outcomes follow one another.
+
+    Attributes:
+        count: how many outcomes there are.
+        turns: how many of them move, one after the other.
+        frames: of each of these.
+        moving: frames in which it moves; in the rest it stands at its end.
+        frames_per_second: of the film.
+    """
+
+    count: int
+    turns: int
+    frames: int
+    moving: int
+    frames_per_second: int
+
+    @classmethod
+    def of(cls, count: int, frames_per_second: int) -> "Pace":
+        """The pace at which so many outcomes are shown."""
+        turns = min(count, MOST_PLAYED)
+        frames = max(1, round(seconds_each(turns) * frames_per_second))
+        return cls(count, turns, frames, max(1, round(MOVING * frames)), frames_per_second)
+
+    def shown(self, turns: int) -> int:
+        """How many outcomes have been shown after so many turns."""
+        return turns * self.count // self.turns
+
+    def times_real(self, horizon: float) -> float:
+        """How many times faster than real time an outcome moves."""
+        return horizon * self.frames_per_second / self.moving
+
+
+def rest(page: Page) -> Canvas:
+    """Draw both scenes before anything happens."""
+    show, count = Show(page), page.comparison.rollouts.robot.shape[1]
+    show.keep(0)
+    show.write([f"{counted(count, 'outcome')} of each action, one at a time", ""])
+    show.draw_at_rest()
+    return show.canvas
+
+
+def play(page: Page, pace: Pace, turns: range) -> Iterator[Canvas]:
+    """Draw the frames of some turns.
+
+    Yields:
+        One and the same canvas, drawn anew for each frame.
+    """
+    show, rollouts = Show(page), page.comparison.rollouts
+    show.keep(pace.shown(turns.start))
+    last = rollouts.robot.shape[2] - 1
+    moving: FloatArray = np.linspace(0.0, last, pace.moving + 1)[1:-1]
+    speed = f"{float(f'{pace.times_real(rollouts.horizon):.2g}'):g}× real time"
+    red = " · red: contact" if (rollouts.contact_step >= 0).any() else ""
+    for turn in turns:
+        outcome = pace.shown(turn)
+        told = f"Outcome {outcome + 1} of {pace.count}"
+        legends = [f"{told} · {speed}{red}", f"{told} · {speed}", told]
+        show.write(legends)
+        for step in moving.tolist():
+            show.draw_outcome(outcome, step)
+            yield show.canvas
+        show.keep(pace.shown(turn + 1))
+        show.write(legends)
+        show.draw_outcome(outcome, last)
+        for _ in range(pace.frames - len(moving)):
+            yield show.canvas

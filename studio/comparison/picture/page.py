@@ -1,0 +1,286 @@
+"""The page that lets a person compare two actions: the question, two sides, and what they share.
+
+The film (`studio.comparison.picture.film`) fills the page outcome by outcome; the picture is the
+page when all have been shown, and the film's last frame.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from scenes import Rollouts
+from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_told
+from studio.comparison.dots import DotScale, Measure, measures
+from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
+from studio.comparison.picture.scene import OutcomeScene
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
+from studio.painter.labels import place
+from studio.scene.picture.stage import (
+    draw_goal,
+    draw_ground,
+    draw_people,
+    draw_scale_bar,
+    draw_walls,
+    goal_label,
+    view_of,
+)
+from studio.scene.picture.titles import display_name
+from studio.style.palette import LIGHT, Theme, contrast
+from studio.style.words import counted
+
+SIZE = (1600, 900)
+"""Of the picture unless one asks for another, px."""
+
+_GAP = 48  # between the sides, in units of the reference page
+_DOTS = 150  # height of the room for dots, in units of the reference page
+_PITCH, _DOT_PITCH = 22, 15  # of icons and dots, at most, in units of the reference page
+
+
+def compose_comparison_picture(
+    comparison: Comparison, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
+) -> Canvas:
+    """Draw the picture of a comparison: all outcomes of two actions, side by side.
+
+    Args:
+        comparison: of two actions.
+        size: width and height, px.
+        theme: of the page.
+
+    Returns:
+        The canvas, which holds the pixels and knows where its texts are.
+
+    Raises:
+        InputError: if the size is not allowed.
+    """
+    page = lay_out(comparison, size, theme)
+    show = Show(page)
+    show.keep(comparison.rollouts.robot.shape[1])
+    show.write(legends(page))
+    show.draw_at_rest()
+    return show.canvas
+
+
+# The page
+
+
+@dataclass(frozen=True)
+class Plot:
+    """The dots of a measure on both sides.
+
+    Attributes:
+        measure: what they show.
+        scale: how they are stacked.
+        rooms: for the dots, px, one a side.
+    """
+
+    measure: Measure
+    scale: DotScale
+    rooms: tuple[Box, ...]
+
+
+@dataclass(frozen=True)
+class Page:
+    """What all frames share; tuples have an entry a side.
+
+    Attributes:
+        comparison: what is compared.
+        canvas: with everything drawn that never changes.
+        views: of the scene.
+        legend: the line below the scenes.
+        icons: arrays of icons.
+        counts: where contacts are counted.
+        plots: of dots.
+    """
+
+    comparison: Comparison
+    canvas: Canvas
+    views: tuple[View, ...]
+    legend: Box
+    icons: tuple[IconArray, ...]
+    counts: tuple[Box, ...]
+    plots: tuple[Plot, ...]
+
+
+def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
+    """Draw what all frames share; arguments and errors as for `compose_comparison_picture`."""
+    rollouts = comparison.rollouts
+    canvas = Canvas(*size, theme.of(comparison.actions))
+    kind, unit = canvas.type, canvas.unit
+    page = canvas.page
+    top = _draw_title(canvas, page, rollouts) + 14 * unit
+    columns = Box(page.left, top, page.right, page.bottom).columns([1.0, 1.0], _GAP * unit)
+    head, line = 1.9 * kind.heading, 1.7 * kind.small
+    icon_height = max(2 * _PITCH * unit, 1.5 * kind.heading)
+    dots_bottom = page.bottom - 2.4 * kind.small - 5 * unit
+    dots_top = dots_bottom - _DOTS * unit
+    icons_bottom = dots_top - 16 * unit
+    icons_top = icons_bottom - icon_height
+    scene_bottom = icons_top - line - 10 * unit
+
+    views, icons, counts = [], [], []
+    count = rollouts.robot.shape[1]
+    room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
+    for side, column in enumerate(columns):
+        _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
+        panel = Box(column.left, top + head, column.right, scene_bottom)
+        view = view_of(rollouts, panel)
+        _draw_stage(canvas, view, rollouts)
+        band = Box(column.left, icons_top, column.right - room, icons_bottom)
+        array = IconArray.fit(band, count, _PITCH * unit)
+        views.append(view)
+        icons.append(array)
+        left = array.box.right + 12 * unit
+        counts.append(Box(left, icons_top, column.right, icons_bottom))
+    legend = Box(page.left, scene_bottom, columns[0].right, scene_bottom + line)
+    draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
+    dots = tuple(Box(column.left, dots_top, column.right, dots_bottom) for column in columns)
+    plots = _draw_plots(canvas, dots, rollouts)
+    return Page(comparison, canvas, tuple(views), legend, tuple(icons), tuple(counts), plots)
+
+
+def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
+    """Ask the question, and say what is seen, along the top of the page; returns where it ends."""
+    kind = canvas.type
+    title = canvas.fitted(QUESTION, page.width, kind.title, SEMIBOLD)
+    at = (page.left, page.top)
+    box = canvas.text(at, title, kind.title, canvas.theme.ink, SEMIBOLD, line="top")
+    name, count = rollouts.scene.name, rollouts.robot.shape[1]
+    outcomes = f"{counted(count, 'outcome')} of each, the next {rollouts.horizon:g} s"
+    luck = "same people and same luck on both sides"
+    told = [f"{name} · {outcomes} · {luck}", f"{outcomes} · {luck}", outcomes]
+    left = box.right + kind.heading
+    subtitle = canvas.fitted(told, page.right - left, kind.body)
+    at = (page.right, box.centre[1] + 0.1 * kind.title)
+    canvas.text(at, subtitle, kind.body, canvas.theme.faint, anchor="right")
+    return box.bottom
+
+
+def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
+    """Name a side and its action."""
+    kind, theme, name = canvas.type, canvas.theme, rollouts.actions[side].name
+    colour = theme.action_colour(name)
+    tall = 1.5 * kind.heading
+    badge = Box(box.left, box.top, box.left + tall, box.top + tall)
+    canvas.rounded(badge, 0.2 * tall, colour)
+    paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
+    canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
+    left = badge.right + 0.5 * kind.heading
+    text = canvas.fitted(display_name(name), box.right - left, kind.heading, SEMIBOLD)
+    ink = theme.legible(colour)
+    canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
+
+
+def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+    """Draw what does not move in a scene, but for the goal itself, which lies above people."""
+    inside = canvas.clipped(view.box)
+    draw_ground(inside, view)
+    draw_walls(inside, view, rollouts.scene)
+    # where little of what comes will lie, on either side
+    busy, paths = inside.copy(), view.to_pixels(np.concatenate(rollouts.robot))
+    busy.faint_paths(list(paths), canvas.theme.ink, 2 * canvas.unit, 0.5)
+    draw_people(busy, view, rollouts.scene.starts)
+    goal = draw_goal(busy, view, rollouts.scene.robot.goal)
+    label = goal_label(canvas, goal, (1.0, 0.0))
+    [box] = place([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
+    if box is not None:
+        inside.text(box.centre, label.text, label.size, label.colour, anchor="centre")
+
+
+def _draw_plots(canvas: Canvas, sides: tuple[Box, ...], rollouts: Rollouts) -> tuple[Plot, ...]:
+    """Draw the axes of the measures, side by side on each side."""
+    shown, plots = measures(rollouts), []
+    rooms = [side.columns([1.0] * len(shown), _GAP * canvas.unit) for side in sides]
+    room = rooms[0][0]
+    scales = DotScale.fit_all(shown, room.width, room.height, _DOT_PITCH * canvas.unit)
+    for measure, scale, both in zip(shown, scales, zip(*rooms, strict=True), strict=True):
+        for room in both:
+            draw_dot_axis(canvas, room, measure)
+        plots.append(Plot(measure, scale, both))
+    return tuple(plots)
+
+
+def legends(page: Page) -> list[str]:
+    """What the marks in the picture mean, the longest wording first."""
+    rollouts = page.comparison.rollouts
+    people = ["grey: people and their paths"] if rollouts.scene.pedestrians else []
+    told_apart = all(has_dots(plot.scale) for plot in page.plots)
+    dots = ["a dot: one outcome"] if told_apart else []
+    contact = ["red: contact"] if (rollouts.contact_step >= 0).any() else []
+    return [
+        " · ".join(parts)
+        for parts in (
+            ["Thin: the robot's paths", *people, *dots, *contact],
+            ["Thin: the robot's paths", *dots, *contact],
+            ["Thin: paths", *contact],
+        )
+    ]
+
+
+# What changes
+
+
+class Show:
+    """A page on which outcomes appear.
+
+    Attributes:
+        canvas: as it looks now.
+    """
+
+    def __init__(self, page: Page) -> None:
+        self.canvas = page.canvas.copy()
+        self._page = page
+        rollouts = page.comparison.rollouts
+        theme = self.canvas.theme
+        self._contact = rollouts.contact_step >= 0  # (2, K)
+        self._colours = [theme.action_colour(action.name) for action in rollouts.actions]
+        self._scenes = [
+            OutcomeScene(self.canvas.clipped(view.box), view, rollouts, side)
+            for side, view in enumerate(page.views)
+        ]
+        self._plots = [
+            [
+                DotPlot(plot.rooms[side], plot.scale, side, self._contact[side])
+                for plot in page.plots
+            ]
+            for side in range(len(SIDES))
+        ]
+        self._counts = ["", ""]
+
+    def keep(self, count: int) -> None:
+        """Count the first `count` outcomes and leave their paths behind."""
+        canvas, page = self.canvas, self._page
+        total = self._contact.shape[1]
+        for side, colour in enumerate(self._colours):
+            self._scenes[side].keep(count)
+            touched = int(self._contact[side, :count].sum())
+            page.icons[side].draw(canvas, touched, count - touched, colour)
+            for plot in self._plots[side]:
+                plot.draw(canvas, count, colour)
+            self._counts[side] = contacts_told(touched, count, total)
+
+    def write(self, legends: Sequence[str]) -> None:
+        """Write how many outcomes had contact, and a legend, the longest wording first."""
+        canvas, page, kind = self.canvas, self._page, self.canvas.type
+        canvas.texts[:] = page.canvas.texts
+        for box, told in zip(page.counts, self._counts, strict=True):
+            canvas.restore(page.canvas, box)
+            if not told:
+                continue
+            ink = canvas.theme.faint if told.startswith("0 ") else canvas.theme.contact
+            at = (box.left, box.centre[1])
+            canvas.text(at, told, kind.heading, ink, SEMIBOLD)
+        canvas.restore(page.canvas, page.legend)
+        legend = canvas.fitted(legends, page.legend.width, kind.small)
+        at = (page.legend.left, page.legend.top + 1.25 * kind.small)
+        canvas.text(at, legend, kind.small, canvas.theme.faint, line="base")
+
+    def draw_at_rest(self) -> None:
+        """Draw both scenes with everybody where the scene has them at the start."""
+        for scene in self._scenes:
+            scene.draw_at_rest()
+
+    def draw_outcome(self, outcome: int, step: float) -> None:
+        """Draw both scenes with one outcome at a step."""
+        for scene in self._scenes:
+            scene.draw_outcome(outcome, step)

@@ -1,0 +1,121 @@
+"""One side's scene in a comparison: outcomes move one at a time and leave faint paths behind.
+
+Shown one at a time they can be counted without being told to (Hullman et al., "Hypothetical outcome
+plots outperform error bars and violin plots", PLoS ONE 2015); paths instead of a hull keep rare
+ones visible and the area between them empty (Padilla et al., "Effects of ensemble and summary
+displays on interpretations of geospatial uncertainty data", Cognitive Research 2017).
+"""
+
+import math
+
+import cv2
+import numpy as np
+
+from scenes import Rollouts
+from studio.painter.canvas import Canvas, FloatArray, View, tinted
+from studio.scene.picture.crowd import between
+from studio.scene.picture.stage import (
+    draw_contacts,
+    draw_goal,
+    draw_groups,
+    draw_people,
+    draw_robot,
+    overlap_opacity,
+)
+from studio.style.palette import Colour
+
+
+class OutcomeScene:
+    """The scene under one action, with the paths of the outcomes so far.
+
+    Args:
+        canvas: clipped to the scene, with everything drawn that never changes.
+        view: of the scene.
+        rollouts: of the scene.
+        side: index of the action.
+    """
+
+    def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, side: int) -> None:
+        self._canvas, self._view, self._scene = canvas, view, rollouts.scene
+        self._colour = canvas.theme.action_colour(rollouts.actions[side].name)
+        self._poses = rollouts.robot[side]  # (K, T+1, 3), m and rad
+        self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
+        self._contact_step = rollouts.contact_step[side]
+        opacity = overlap_opacity(len(self._poses))
+        self._robots = _Paths(canvas, self._colour, opacity)
+        self._crowd = _Paths(canvas, canvas.theme.pedestrian, 0.35 * opacity)
+        self._ground = canvas.pixels.copy()
+        self._seen = 0
+        self._layer = self._ground
+
+    def keep(self, count: int) -> None:
+        """Leave the paths and contacts of the first `count` outcomes behind, never fewer."""
+        new = slice(self._seen, count)
+        self._robots.add(self._view.to_pixels(self._poses[new]))
+        for people in self._people[new].swapaxes(1, 2):  # (P, T+1, 2)
+            self._crowd.add(self._view.to_pixels(people))
+        self._seen = count
+        canvas = self._canvas
+        canvas.pixels[:] = self._ground
+        self._crowd.draw(canvas)
+        self._robots.draw(canvas)
+        touching = np.flatnonzero(self._contact_step[:count] >= 0)
+        steps = self._contact_step[touching]
+        draw_contacts(canvas, self._view, self._poses[touching, steps])
+        self._layer = canvas.pixels.copy()
+
+    def draw_at_rest(self) -> None:
+        """Draw what was left behind, and everybody where the scene has them at the start."""
+        robot = self._scene.robot
+        self._canvas.pixels[:] = self._layer
+        pose = np.array([*robot.start, robot.start_heading])
+        self._draw_everybody(pose, self._scene.starts, self._colour)
+
+    def draw_outcome(self, outcome: int, step: float) -> None:
+        """Draw what was left behind, and one outcome at a step with the robot's way so far."""
+        canvas, view, one = self._canvas, self._view, slice(outcome, outcome + 1)
+        [pose], [people] = between(self._poses[one], step), between(self._people[one], step)
+        canvas.pixels[:] = self._layer
+        way = np.concatenate([self._poses[outcome, : int(step) + 1], [pose]])
+        canvas.line(view.to_pixels(way), self._colour, 3 * canvas.unit)
+        contact_step = self._contact_step[outcome]
+        touched = bool(0 <= contact_step <= step)
+        self._draw_everybody(pose, people, canvas.theme.contact if touched else self._colour)
+        if touched:
+            draw_contacts(canvas, view, self._poses[one, contact_step])
+
+    def _draw_everybody(self, pose: FloatArray, people: FloatArray, colour: Colour) -> None:
+        draw_groups(self._canvas, self._view, self._scene, people)
+        draw_people(self._canvas, self._view, people)
+        # above people: who stands on the goal must not hide it
+        draw_goal(self._canvas, self._view, self._scene.robot.goal)
+        draw_robot(self._canvas, self._view, pose, colour)
+
+
+class _Paths:
+    """Faint paths that become more; where n of them cross their opacity is 1 − (1 − opacity)^n."""
+
+    def __init__(self, canvas: Canvas, colour: Colour, opacity: float) -> None:
+        self._corner = np.array([canvas.box.left, canvas.box.top])
+        self._pen = max(1, round(2 * canvas.unit))
+        self._colour = colour
+        self._strength = np.float32(math.log1p(-opacity) / 255.0)
+        self._counts = np.zeros(canvas.pixels.shape[:2], np.float32)  # in 255ths of a path
+
+    def add(self, paths: FloatArray) -> None:
+        """Add paths [N, points, 2], px of the page."""
+        limits = np.array(self._counts.shape[::-1])
+        for path in paths - self._corner - 0.5:
+            low = np.clip(np.floor(path.min(axis=0)).astype(int) - self._pen, 0, limits)
+            high = np.clip(np.ceil(path.max(axis=0)).astype(int) + self._pen + 1, 0, limits)
+            part = self._counts[low[1] : high[1], low[0] : high[0]]
+            if part.size:
+                mask = np.zeros(part.shape, np.uint8)
+                fixed = np.rint((path - low) * 16).astype(np.int32)
+                cv2.polylines(mask, [fixed], False, 255, self._pen, cv2.LINE_AA, 4)
+                cv2.accumulate(mask, part)
+
+    def draw(self, canvas: Canvas) -> None:
+        """Draw all paths so far over what the canvas shows."""
+        shares = 1.0 - cv2.exp(self._counts * self._strength)
+        canvas.pixels[:] = tinted(canvas.pixels, self._colour, shares)

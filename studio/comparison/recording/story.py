@@ -1,0 +1,172 @@
+"""One action's outcomes one after the other, along a timeline of their own: the story.
+
+Nobody moves during the opening; then every outcome plays from its beginning to its end in the same
+short time and leaves its path behind; in the end everybody is back where they started.
+"""
+
+from typing import TypeVar
+
+import numpy as np
+import rerun as rr
+from numpy.typing import NDArray
+
+from scenes import Rollouts
+from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.comparison.comparison import ENDING, MOVING, OPENING, seconds_each
+from studio.scene.judgements import FloatArray
+from studio.scene.recording import entities
+from studio.scene.recording.world import (
+    CONTACT_CLASS,
+    PATH_STRIDE,
+    arrowheads,
+    bar_style,
+    crosses,
+    group_bars,
+    rounded,
+    strips,
+)
+from studio.style.palette import Theme, blend
+
+Number = TypeVar("Number", bound=np.generic)
+
+POSES = 20
+"""So many poses of an outcome are shown after its first; more would follow one another too fast."""
+
+
+def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
+    """Show the outcomes of one action one after the other."""
+    log_moving_robot(stream, rollouts, side, theme)
+    if rollouts.scene.pedestrians:
+        log_moving_people(stream, rollouts, side, theme)
+    log_gathering_paths(stream, rollouts, side, theme)
+
+
+def log_moving_robot(
+    stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
+) -> None:
+    """Show the robot with an arrowhead, and the way that it has come in this outcome."""
+    path = entities.story(rollouts.actions[side].name)
+    colour = theme.action_colour(rollouts.actions[side].name)
+    count, steps, when = rollouts.robot.shape[1], shown_steps(rollouts), moments(rollouts)
+    robot = rollouts.scene.robot
+    rest = np.array([*robot.start, robot.start_heading])
+    poses = with_rest(rollouts.robot[side, :, steps].swapaxes(0, 1).reshape(-1, 3), rest)
+    contact_step = rollouts.contact_step[side, :, None]
+    touched = with_rest(((contact_step >= 0) & (steps >= contact_step)).ravel(), np.array(False))
+    places = rounded(poses[:, :2])
+    body = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
+    stream.log(f"{path}/robot", body, static=True)
+    stream.send_columns(
+        f"{path}/robot",
+        [when],
+        rr.Points2D.columns(positions=places, class_ids=np.where(touched, CONTACT_CLASS, side + 1)),
+    )
+    style = rr.LineStrips2D.from_fields(
+        colors=theme.panel, radii=0.11 * ROBOT_RADIUS, draw_order=40.0
+    )
+    stream.log(f"{path}/heading", style, static=True)
+    stream.send_columns(
+        f"{path}/heading", [when], rr.LineStrips2D.columns(strips=list(arrowheads(poses)))
+    )
+    ways = [
+        rollouts.robot[side, outcome, steps[: last + 1], :2]
+        for outcome in range(count)
+        for last in range(len(steps))
+    ]
+    nowhere = rest[None, :2]
+    # a line takes two points
+    strips = [
+        rounded(way if len(way) > 1 else way.repeat(2, axis=0))
+        for way in (nowhere, *ways, nowhere, nowhere)
+    ]
+    style = rr.LineStrips2D.from_fields(
+        colors=colour, radii=rr.Radius.ui_points(1.6), draw_order=25.0
+    )
+    stream.log(f"{path}/way", style, static=True)
+    stream.send_columns(f"{path}/way", [when], rr.LineStrips2D.columns(strips=strips))
+
+
+def log_moving_people(
+    stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
+) -> None:
+    """Show the people, and bars that join those of a group."""
+    path = f"{entities.story(rollouts.actions[side].name)}/pedestrians"
+    people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
+    places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
+    style = rr.Points2D.from_fields(
+        radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
+    )
+    look: list[rr.AsComponents] = [style]
+    moving = [
+        *rr.Points2D.columns(positions=rounded(places).reshape(-1, 2)).partition(
+            [places.shape[1]] * len(places)
+        )
+    ]
+    if rollouts.scene.groups:
+        bars = group_bars(rounded(places), rollouts.scene.groups)  # (moments, bars, 2, 2)
+        look.append(bar_style(theme))
+        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
+            [bars.shape[1]] * len(bars)
+        )
+    stream.log(path, *look, static=True)
+    stream.send_columns(path, [moments(rollouts)], moving)
+
+
+def log_gathering_paths(
+    stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
+) -> None:
+    """Leave the path of each outcome behind when it ends, with a red cross if there was contact."""
+    name, last = rollouts.actions[side].name, rollouts.robot.shape[2] - 1
+    corners = np.unique([*range(0, last, PATH_STRIDE), last])
+    robot, contact_step = rounded(rollouts.robot[side, ..., :2]), rollouts.contact_step[side]
+    faint = blend(theme.action_colour(name), theme.panel, 0.45)
+    strips, colours, lengths = [], [], []
+    for way, step in zip(robot, contact_step, strict=True):
+        marks = crosses(way[step][None], 0.06) if step >= 0 else ()
+        strips += [way[corners], *marks]
+        colours += [faint, *[theme.contact] * len(marks)]
+        lengths.append(1 + len(marks))
+    path = f"{entities.story(name)}/paths"
+    stream.log(path, rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8)), static=True)
+    stream.send_columns(
+        path,
+        [story_times(ends(len(robot)))],
+        rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths),
+    )
+
+
+def shown_steps(rollouts: Rollouts) -> NDArray[np.int64]:
+    """The steps of an outcome that are shown: all, or as many as there are poses."""
+    last = rollouts.robot.shape[2] - 1
+    return np.unique(np.rint(np.linspace(0, last, min(last, POSES) + 1)).astype(np.int64))
+
+
+def moments(rollouts: Rollouts) -> rr.TimeColumn:
+    """When anybody moves: at the start, at each shown step of each outcome, and twice at the end.
+
+    The second time nothing happens any more; it keeps the end in view for a while.
+    """
+    count, last = rollouts.robot.shape[1], rollouts.robot.shape[2] - 1
+    each = seconds_each(count)
+    shares = MOVING * shown_steps(rollouts) / last
+    playing = OPENING + each * (np.arange(count)[:, None] + shares)
+    over = OPENING + each * count
+    times = np.concatenate([[0.0], playing.ravel(), [over, over + ENDING]])
+    return story_times(times)
+
+
+def ends(count: int) -> FloatArray:
+    """When each of so many outcomes comes to its end, s of the story."""
+    places = np.arange(count, dtype=np.float64)
+    times: FloatArray = OPENING + seconds_each(count) * (places + MOVING)
+    return times
+
+
+def story_times(seconds: FloatArray) -> rr.TimeColumn:
+    """Times of the story, to the microsecond: readers stumble over finer ones."""
+    return rr.TimeColumn(entities.STORY, duration=np.rint(1e6 * seconds).astype("timedelta64[us]"))
+
+
+def with_rest(rows: NDArray[Number], rest: NDArray[Number]) -> NDArray[Number]:
+    """The rows of all shown steps between one row of rest and two, as `moments` has them."""
+    return np.concatenate([rest[None], rows, rest[None], rest[None]])

@@ -1,0 +1,157 @@
+"""Axes that the figures of a study are drawn on: linear or logarithmic, on a page of width 1."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from studio.recorder.drawing import Drawing
+from studio.scene.framing import Bounds
+from studio.scene.judgements import FloatArray
+from studio.style.palette import LIGHT, Colour
+from studio.style.words import number
+
+LIFT = 0.03
+"""How much higher than their places texts are put, in units of the page."""
+
+KEY_STEP = 0.1
+"""Between the rows of a key, in units of the page."""
+
+KEY_INDENT = 0.14
+"""From the left of a key to its words, in units of the page."""
+
+HALF_A_LETTER = 0.012
+"""Half the width that a letter usually takes, in units of the page."""
+
+ROOM_FOR_WORDS = 0.15
+"""Words at ticks that are closer than this are left out, in units of the page."""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Numbers along one side of a figure.
+
+    Attributes:
+        ticks: ascending, from one end of the scale to the other.
+        words: what is written at each tick; nothing where it is empty.
+        logarithmic: whether equal lengths are equal ratios.
+    """
+
+    ticks: tuple[float, ...]
+    words: tuple[str, ...]
+    logarithmic: bool = False
+
+    def __call__(self, numbers: ArrayLike) -> FloatArray:
+        """How far along the scale numbers lie, 0 to 1; those beyond its ends lie at the ends."""
+        low, high = self._measure([self.ticks[0], self.ticks[-1]])
+        inside = np.clip(numbers, self.ticks[0], self.ticks[-1])
+        along: FloatArray = (self._measure(inside) - low) / (high - low)
+        return along
+
+    def _measure(self, numbers: ArrayLike) -> FloatArray:
+        given = np.asarray(numbers, dtype=np.float64)
+        return np.log10(given) if self.logarithmic else given
+
+
+@dataclass(frozen=True)
+class Axes:
+    """What a figure is drawn on: a page of width 1.
+
+    Attributes:
+        x: the scale across.
+        y: the scale upwards.
+        height: of the page.
+    """
+
+    x: Scale
+    y: Scale
+    height: float = 1.0
+
+    def place(self, x: ArrayLike, y: ArrayLike) -> FloatArray:
+        """Where numbers lie on the page, [N, 2]."""
+        return np.stack([self.x(x), self.height * self.y(y)], axis=-1)
+
+    def draw(self, drawing: Drawing) -> None:
+        """Draw lines at all ticks and write the words."""
+        for tick, words in zip(self.x.ticks, self.x.words, strict=True):
+            across = float(self.x(tick))
+            drawing.line([(across, 0.0), (across, self.height)], _line_colour(tick), 1.0)
+            if words:
+                drawing.text((across, -0.08), words)
+        for tick, words in zip(self.y.ticks, self.y.words, strict=True):
+            up = self.height * float(self.y(tick))
+            drawing.line([(0.0, up), (1.0, up)], _line_colour(tick), 1.0)
+            if words:
+                drawing.text((-0.085, up), words)
+
+    @property
+    def bounds(self) -> Bounds:
+        """What a view of the figure must show."""
+        return -0.18, -0.14, 1.08, self.height + 0.06
+
+
+def key_left(words: Iterable[str]) -> float:
+    """Where a key begins that shall end with the page on the right."""
+    longest = max(map(len, words))
+    return max(0.2, min(0.6, 1.0 - KEY_INDENT - 2.0 * HALF_A_LETTER * longest))
+
+
+def draw_key(
+    drawing: Drawing, entries: Iterable[tuple[str, Colour | None]], left: float, top: float
+) -> None:
+    """Say what the lines stand for; what has no colour is the teacher's, dark and dashed."""
+    for row, (words, colour) in enumerate(entries):
+        y = top - KEY_STEP * row
+        ends = np.array([(left, y), (left + 0.08, y)])
+        if colour is None:
+            drawing.dashes(ends, LIGHT.ink, 2.5)
+        else:
+            drawing.line(ends, colour, 4.0)
+        drawing.text((left + KEY_INDENT + HALF_A_LETTER * len(words), y), words)
+
+
+def linear(ticks: Sequence[float]) -> Scale:
+    """A linear scale with these ticks."""
+    return Scale(tuple(ticks), tuple(number(tick) for tick in ticks))
+
+
+def round_ticks(low: float, high: float) -> tuple[float, ...]:
+    """A few round numbers, 0 among them, that hold everything from low to high."""
+    low, high = min(low, 0.0), max(high, 0.0)
+    reach = high - low or 1.0
+    power = 10.0 ** np.floor(np.log10(reach / 4.0))
+    step = next(
+        power * round_number for round_number in (1, 2, 5, 10) if reach <= 5 * power * round_number
+    )
+    first, last = np.floor(low / step + 1e-9), max(np.ceil(high / step - 1e-9), 1.0)
+    return tuple(float(f"{step * place:.6g}") for place in np.arange(first, last + 1))
+
+
+def pairs_scale(sizes: Sequence[int]) -> Scale:
+    """A logarithmic scale of numbers of pairs, with a tick at each."""
+    if len(sizes) == 1:
+        return Scale((sizes[0] / 2.0, sizes[0], sizes[0] * 2.0), ("", str(sizes[0]), ""), True)
+    scale = Scale(tuple(sizes), ("",) * len(sizes), True)
+    words, last = [], np.inf
+    for size in reversed(sizes):
+        has_room = last - float(scale(size)) >= ROOM_FOR_WORDS
+        words.append(str(size) if has_room else "")
+        last = float(scale(size)) if has_room else last
+    return Scale(scale.ticks, tuple(reversed(words)), True)
+
+
+def ratio_scale(
+    low: float, high: float, steps: Sequence[float] = (1.0, 3.0), unit: str = ""
+) -> Scale:
+    """A logarithmic scale from below `low` to above `high`, with ticks at steps times tens."""
+    powers = range(int(np.floor(np.log10(low))) - 1, int(np.ceil(np.log10(high))) + 2)
+    round_numbers = [float(f"{step}e{power}") for power in powers for step in steps]
+    first = max(place for place, tick in enumerate(round_numbers) if tick <= low)
+    last = min(place for place, tick in enumerate(round_numbers) if tick >= high)
+    ticks = tuple(round_numbers[first : max(last, first + 1) + 1])
+    return Scale(ticks, tuple(f"{number(tick)}{unit}" for tick in ticks), True)
+
+
+def _line_colour(tick: float) -> Colour:
+    return LIGHT.faint if tick == 0.0 else LIGHT.grid

@@ -1,0 +1,1 @@
+"""One scene under all its actions: what it is, its recording, its picture and its film."""

@@ -1,0 +1,142 @@
+"""The scene seen from above: ground, walls, people, robot, goal, and what to show of it."""
+
+import math
+
+import numpy as np
+
+from scenes import Rollouts
+from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
+from studio.painter.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
+from studio.painter.labels import Label
+from studio.scene.framing import bounds_of_shape
+from studio.scene.groups import shortest_links
+from studio.style.palette import Colour, blend
+
+
+def overlap_opacity(count: int) -> float:
+    """Opacity of one of `count` paths.
+
+    A seventh of them on one spot look two thirds opaque, so bundles look alike however many paths
+    they are made of.
+    """
+    return float(1.0 - 0.35 ** min(7.0 / count, 1.0))
+
+
+def view_of(rollouts: Rollouts, box: Box) -> View:
+    """The view that shows in a box what a scene is about; see `studio.scene.framing`."""
+    return View.around(bounds_of_shape(rollouts, box.width, box.height), box)
+
+
+def draw_ground(canvas: Canvas, view: View) -> None:
+    """Draw the floor with a grid of whole metres."""
+    canvas.fill(view.box, canvas.theme.panel)
+    x0, y0, x1, y1 = view.bounds
+    step = next(step for step in (1, 2, 5, 10, 20, 50, 100, 1000) if step * view.scale > 12)
+    for x in range(math.ceil(x0 / step), math.floor(x1 / step) + 1):
+        left = view.to_pixels([x * step, 0.0])[0]
+        canvas.fill(Box(left, view.box.top, left + canvas.hair, view.box.bottom), canvas.theme.grid)
+    for y in range(math.ceil(y0 / step), math.floor(y1 / step) + 1):
+        top = view.to_pixels([0.0, y * step])[1]
+        canvas.fill(Box(view.box.left, top, view.box.right, top + canvas.hair), canvas.theme.grid)
+
+
+def draw_walls(canvas: Canvas, view: View, scene: Scene) -> None:
+    """Draw the walls."""
+    for segment in scene.wall_segments:
+        canvas.line(view.to_pixels(segment), canvas.theme.wall, 6 * canvas.unit)
+
+
+def draw_groups(canvas: Canvas, view: View, scene: Scene, people: FloatArray) -> None:
+    """Draw bars that join the people [P, 2] (m) of each group."""
+    colour = blend(canvas.theme.pedestrian, canvas.theme.panel, 0.5)
+    for group in scene.groups:
+        members = view.to_pixels(people[list(group)])
+        for link in shortest_links(members):
+            canvas.line(members[link], colour, 0.7 * PEDESTRIAN_RADIUS * view.scale)
+
+
+def draw_people(canvas: Canvas, view: View, people: FloatArray) -> None:
+    """Draw people [P, 2] (m) as grey discs with a light rim."""
+    radius = max(PEDESTRIAN_RADIUS * view.scale, 2.5 * canvas.unit)
+    for centre in view.to_pixels(people):
+        canvas.disc(centre, radius + max(1.0, 1.5 * canvas.unit), canvas.theme.ground)
+    for centre in view.to_pixels(people):
+        canvas.disc(centre, radius, canvas.theme.pedestrian)
+
+
+def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> None:
+    """Draw the robot at a pose (x, y in m, heading in rad): a disc with an arrowhead."""
+    radius = max(ROBOT_RADIUS * view.scale, 4.0 * canvas.unit)
+    centre = view.to_pixels(pose)
+    canvas.disc(centre, radius + max(1.0, 2.0 * canvas.unit), canvas.theme.ground)
+    canvas.disc(centre, radius, colour)
+    angles = pose[2] + np.radians([0.0, 140.0, 220.0])
+    corners = np.stack([np.cos(angles), -np.sin(angles)], axis=-1)
+    canvas.polygon(centre + 0.66 * radius * corners, canvas.theme.ground)
+
+
+def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched something."""
+    for centre in view.to_pixels(places):
+        canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
+        canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+
+
+def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
+    """Draw the robot's goal: a ring if it is in view, an arrowhead at the edge if it is not.
+
+    Returns:
+        Where it was drawn, px.
+    """
+    centre = view.to_pixels(goal)
+    frame = view.box.inset(12 * canvas.unit)
+    inside = np.clip(centre, (frame.left, frame.top), (frame.right, frame.bottom))
+    away = centre - inside
+    if np.any(away):
+        angles = math.atan2(away[1], away[0]) + np.radians([0.0, 140.0, 220.0])
+        corners = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+        canvas.polygon(inside + 9 * canvas.unit * corners, canvas.theme.ink)
+    else:
+        for radius, colour in (
+            (9, canvas.theme.ink),
+            (6.5, canvas.theme.ground),
+            (3, canvas.theme.ink),
+        ):
+            canvas.disc(centre, radius * canvas.unit, colour)
+    return float(inside[0]), float(inside[1])
+
+
+def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
+    """The label of the goal that was drawn at a point (px)."""
+    return Label(
+        "goal", canvas.type.small, REGULAR, canvas.theme.ink, goal, 13 * canvas.unit, direction
+    )
+
+
+def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:
+    """Draw a scale bar and its length, for example under the view.
+
+    Args:
+        canvas: to draw on.
+        view: whose scale it shows.
+        right: where it ends, px.
+        baseline: of its text, px.
+
+    Returns:
+        Where it begins, px.
+    """
+    lengths = [digit * 10.0**power for power in (-1, 0, 1, 2, 3) for digit in (1, 2, 5)]
+    metres = max(
+        (length for length in lengths if length * view.scale < 0.15 * view.box.width),
+        default=lengths[0],
+    )
+    size, tall = canvas.type.small, 0.5 * canvas.type.small
+    label = canvas.text(
+        (right, baseline), f"{metres:g} m", size, canvas.theme.ink, anchor="right", line="base"
+    )
+    end, pen = label.left - 0.5 * size, max(1.0, 2 * canvas.unit)
+    start = end - metres * view.scale
+    canvas.fill(Box(start, baseline - pen, end, baseline), canvas.theme.ink)
+    canvas.fill(Box(start, baseline - tall, start + pen, baseline), canvas.theme.ink)
+    canvas.fill(Box(end - pen, baseline - tall, end, baseline), canvas.theme.ink)
+    return start

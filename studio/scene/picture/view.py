@@ -1,0 +1,148 @@
+"""The picture's view of the scene: every path of every action, named where it ends."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenes import Rollouts
+from scenes.scene import ROBOT_RADIUS
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
+from studio.painter.labels import Label, draw_labels
+from studio.scene.judgements import Judgement
+from studio.scene.picture.stage import (
+    draw_contacts,
+    draw_goal,
+    draw_ground,
+    draw_groups,
+    draw_people,
+    draw_robot,
+    draw_scale_bar,
+    draw_walls,
+    goal_label,
+    overlap_opacity,
+    view_of,
+)
+from studio.scene.picture.titles import display_name
+from studio.style.palette import blend
+
+_MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
+
+
+def draw_scene(
+    canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
+) -> None:
+    """Draw the scene and a caption below it.
+
+    Args:
+        canvas: to draw on.
+        box: where, px.
+        rollouts: of the scene under each action.
+        judgements: the teachers' picks are named even where not every action can be.
+    """
+    scene, unit = rollouts.scene, canvas.unit
+    caption_height = 1.5 * canvas.type.small
+    panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
+    view = view_of(rollouts, panel)
+    inside = canvas.clipped(panel)
+    count = rollouts.robot.shape[1]
+    opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
+
+    theme = canvas.theme
+    colours = [theme.action_colour(action.name) for action in rollouts.actions]
+    draw_ground(inside, view)
+    grey = blend(theme.pedestrian, theme.panel, 0.8)
+    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
+    inside.faint_paths(list(view.to_pixels(people)), grey, pen, 0.6 * opacity)
+    for index, paths in enumerate(rollouts.robot):
+        inside.faint_paths(list(view.to_pixels(paths)), colours[index], pen, opacity)
+    draw_walls(inside, view, scene)
+    draw_groups(inside, view, scene, scene.starts)
+    draw_people(inside, view, scene.starts)
+    _draw_contacts(inside, view, rollouts)
+    medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
+    for index, median in enumerate(medians):
+        inside.line(median, canvas.theme.panel, 6 * unit)
+        inside.line(median, colours[index], 3 * unit)
+    for index, median in enumerate(medians):
+        inside.disc(median[-1], 7 * unit, canvas.theme.ground)
+        inside.disc(median[-1], 5 * unit, colours[index])
+    goal = draw_goal(inside, view, scene.robot.goal)
+    start = np.array([*scene.robot.start, scene.robot.start_heading])
+    draw_robot(inside, view, start, canvas.theme.ink)
+    picks = {judgement.best for judgement in judgements}
+    named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
+    labels = _scene_labels(inside, view, rollouts, medians, goal, named)
+    standing = view.to_pixels([*scene.starts, scene.robot.start])
+    seen = np.concatenate([medians.reshape(-1, 2), standing])
+    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel, seen)
+    small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
+    end = draw_scale_bar(canvas, view, box.right, baseline) - small
+    caption = canvas.fitted(_captions(rollouts), end - box.left, small)
+    canvas.text((box.left, baseline), caption, small, canvas.theme.faint, line="base")
+
+
+def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+    """Mark where the robot first touches something."""
+    for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
+        touching = np.flatnonzero(steps >= 0)
+        draw_contacts(canvas, view, paths[touching, steps[touching]])
+
+
+def _scene_labels(
+    canvas: Canvas,
+    view: View,
+    rollouts: Rollouts,
+    medians: FloatArray,
+    goal: Point,
+    named: set[int],
+) -> list[Label]:
+    """Names of the robot, its goal and the named actions, the actions at their medians' ends."""
+    unit, body, small = canvas.unit, canvas.type.body, canvas.type.small
+    heading = rollouts.scene.robot.start_heading
+    x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
+    behind = -math.cos(heading), math.sin(heading)
+    reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
+    labels = [
+        Label("robot", small, REGULAR, canvas.theme.ink, (x, y), reach, behind),
+        goal_label(canvas, goal, (goal[0] - x, goal[1] - y)),
+    ]
+    for index in sorted(named):
+        path = medians[index]
+        name = rollouts.actions[index].name
+        dx, dy = path[-1] - path[-min(6, len(path))]
+        labels.append(
+            Label(
+                canvas.abbreviated(display_name(name), view.box.width / 5, body, SEMIBOLD),
+                body,
+                SEMIBOLD,
+                canvas.theme.legible(canvas.theme.action_colour(name)),
+                near=(float(path[-1, 0]), float(path[-1, 1])),
+                reach=9 * unit,
+                # below where the robot hardly moves
+                direction=(dx, dy) if math.hypot(dx, dy) > 2 * unit else (0.0, 1.0),
+            )
+        )
+    return labels
+
+
+def _captions(rollouts: Rollouts) -> list[str]:
+    """What the marks in the scene mean, the longest wording first."""
+    scene = rollouts.scene
+    people, paths = ([], [])
+    if scene.pedestrians:
+        people, paths = ["grey: people"], ["grey: people and their paths without the robot"]
+    groups = ["joined: groups"] if scene.groups else []
+    contact = (rollouts.contact_step >= 0).any()
+    first, red = (["red: first contact"], ["red: contact"]) if contact else ([], [])
+    every, brief = "Thin: every rollout · bold: median", "Thin: rollouts · bold: median"
+    return [
+        " · ".join(parts)
+        for parts in (
+            [every, *paths, *groups, *first],
+            [every, *people, *groups, *first],
+            [brief, *people, *groups, *red],
+            [brief, *people, *red],
+            ["Bold: median", *people, *red],
+        )
+    ]

@@ -1,0 +1,185 @@
+"""How a recording looks when it opens: its tabs, views, and the time that plays.
+
+Every view costs about ten kilobytes, and every style that a view lays over the data five more, so
+views are few and show things as they were logged.
+"""
+
+from collections.abc import Sequence
+
+import rerun as rr
+import rerun.blueprint as rrb
+
+from scenes import Rollouts
+from studio.scene.framing import Bounds
+from studio.scene.recording import entities
+from studio.scene.recording.minds import curves_bounds
+from studio.scene.recording.outcomes import comparison_bounds, distributions_bounds
+from studio.scene.recording.prospects import prospects_bounds
+from studio.scene.recording.ranks import ranks_bounds
+from studio.style.palette import LIGHT
+from studio.style.words import counted, short
+
+VIEW_SHAPE = (16, 9)
+"""Shape that views of the world have on a common screen, width and height."""
+
+
+def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
+    """The tabs of a recording: overview, one an action, prospects, minds, about."""
+    return rrb.Blueprint(
+        rrb.Tabs(
+            overview_tab(rollouts, teachers, bounds),
+            *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
+            prospects_tab(rollouts, teachers),
+            minds_tab(rollouts, teachers),
+            page_view(entities.ABOUT, "About"),
+            active_tab=0,
+        ),
+        rrb.TimePanel(
+            state="collapsed", timeline="sim_time", play_state="playing", loop_mode="all"
+        ),
+        collapse_panels=True,
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
+    """All actions in one world, what came of them, and what the teachers make of it."""
+    names = [action.name for action in rollouts.actions]
+    contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
+    count = rollouts.robot.shape[1]
+    title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
+    return rrb.Horizontal(
+        rrb.Vertical(
+            world_view(contents, bounds, title),
+            comparison_view(rollouts, teachers),
+            row_shares=[3, 2],
+        ),
+        rrb.Vertical(
+            page_view(entities.SUMMARY, "Summary"),
+            *([clearance_view()] if rollouts.scene.pedestrians else []),
+            row_shares=[5, 2] if rollouts.scene.pedestrians else [1],
+        ),
+        column_shares=[5, 3],
+        name="Overview",
+    )
+
+
+def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
+    """One action: its world, and how its outcomes are distributed."""
+    name, count = rollouts.actions[index].name, rollouts.robot.shape[1]
+    contacts = int((rollouts.contact_step[index] >= 0).sum())
+    title = f"{name}: {counted(count, 'future')}, {contacts} with contact (grid of 1 m)"
+    return rrb.Vertical(
+        world_view([f"{entities.action(name)}/**"], bounds, title),
+        figure_view(
+            entities.distributions(name),
+            distributions_bounds(rollouts),
+            f"{name}: outcomes by feature (red: with contact), and the gap to the nearest person "
+            "(median, 10 to 90 %) over time",
+        ),
+        row_shares=[5, 2],
+        name=short(name),
+    )
+
+
+def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+    """The outcomes of all actions side by side, and how much each counts to the teachers."""
+    return rrb.Vertical(
+        comparison_view(rollouts, teachers),
+        figure_view(
+            entities.PROSPECTS,
+            prospects_bounds(tuple(action.name for action in rollouts.actions)),
+            "Outcomes from the worst to the best. Dots: utility; marks at the right: certainty "
+            "equivalents (the sure utility that a teacher would take instead). Below: how much "
+            "each outcome counts",
+        ),
+        row_shares=[4, 5],
+        name="Prospects",
+    )
+
+
+def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+    """How the teachers weigh probabilities, value gains and losses, and rank the actions."""
+    names = tuple(action.name for action in rollouts.actions)
+    return rrb.Vertical(
+        drawn_view(
+            [
+                entities.GAIN_WEIGHTS,
+                entities.LOSS_WEIGHTS,
+                entities.DECISION_WEIGHTS,
+                entities.VALUES,
+            ],
+            curves_bounds(),
+            "How much probabilities p count, and 50 outcomes from the worst loss to the best gain; "
+            "how good the utility x feels",
+        ),
+        rrb.Horizontal(
+            figure_view(
+                entities.RANKS,
+                ranks_bounds(names, teachers),
+                "Actions by their value V, the best on top (bold: the next teacher ranks it "
+                "differently)",
+            ),
+            page_view(entities.DISAGREEMENTS, "Where they disagree"),
+            column_shares=[5, 2],
+        ),
+        row_shares=[4, 5],
+        name="Minds",
+    )
+
+
+def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
+    """A view of the world: what does not move, and the given contents."""
+    fixed = [entities.GRID, entities.WALLS, entities.TASK]
+    return drawn_view([*fixed, *contents], bounds, title)
+
+
+def comparison_view(rollouts: Rollouts, teachers: int) -> rrb.View:
+    """The table that compares all actions."""
+    title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
+    return figure_view(entities.COMPARISON, comparison_bounds(rollouts, teachers), title)
+
+
+def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
+    """A drawn figure on its page."""
+    return drawn_view([f"{figure}/**"], bounds, title)
+
+
+def drawn_view(
+    contents: list[str], bounds: Bounds, title: str, gathering: Sequence[str] = ()
+) -> rrb.View:
+    """A view of drawn things on light ground, framed by bounds whose y counts upwards.
+
+    Of what is gathering everything stays that has been there; it gathers over the story.
+    """
+    so_far = rrb.VisibleTimeRanges(
+        timeline=entities.STORY,
+        start=rr.TimeRangeBoundary.infinite(),
+        end=rr.TimeRangeBoundary.cursor_relative(),
+    )
+    x0, y0, x1, y1 = bounds
+    return rrb.Spatial2DView(
+        # only views from the root apply the transform that turns y upwards
+        origin="/",
+        contents=[f"+ /{path}" for path in (entities.GROUND, *contents)],
+        name=title,
+        visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
+        overrides={f"/{path}": so_far for path in gathering},
+    )
+
+
+def clearance_view() -> rrb.View:
+    """Median clearance over time under every action."""
+    return rrb.TimeSeriesView(
+        origin=f"/{entities.CLEARANCE}",
+        name="median gap to the nearest person, m (colours as on the left)",
+        plot_legend=rrb.PlotLegend(visible=False),
+        # Rerun's grid is black on light ground
+        background=rrb.archetypes.PlotBackground(color=LIGHT.panel, show_grid=False),
+    )
+
+
+def page_view(path: str, title: str) -> rrb.View:
+    """A page of Markdown."""
+    return rrb.TextDocumentView(origin=f"/{path}", name=title)

@@ -1,0 +1,161 @@
+"""Write what was simulated, and what three teachers make of it, as a Rerun recording.
+
+`recordings/README.md` is the reference of what a recording holds; `SCHEMA_VERSION` counts its
+editions.
+"""
+
+import hashlib
+import sys
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+
+import rerun as rr
+import tomli_w
+
+from scenes import Rollouts, scene_to_toml
+from studio.recorder.drawing import log_ground
+from studio.recorder.stream import recording_to
+from studio.scene.framing import bounds_of_shape
+from studio.scene.judgements import Judgement
+from studio.scene.recording import entities
+from studio.scene.recording.blueprint import VIEW_SHAPE, recording_blueprint
+from studio.scene.recording.minds import log_curves, log_judgements
+from studio.scene.recording.outcomes import (
+    log_clearance,
+    log_comparison,
+    log_distributions,
+    log_outcomes,
+)
+from studio.scene.recording.pages import about_page, disagreements_page, summary_page
+from studio.scene.recording.prospects import log_prospects
+from studio.scene.recording.ranks import log_ranks
+from studio.scene.recording.world import log_action, log_scene, log_without_robot
+from studio.style.palette import LIGHT, Theme
+
+SCHEMA_VERSION = 2
+"""Edition of the layout that `recordings/README.md` describes."""
+
+PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce")
+"""Packages whose versions a recording names."""
+
+
+def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
+    """Write a recording of one scene under all its actions.
+
+    Args:
+        path: the `.rrd` file to write.
+        rollouts: what was simulated.
+        judgements: what each teacher thinks of the actions.
+
+    Raises:
+        OSError: if the file cannot be written.
+    """
+    bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
+    blueprint = recording_blueprint(rollouts, len(judgements), bounds)
+    versions = package_versions()
+    theme = LIGHT.of(action.name for action in rollouts.actions)
+    with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
+        stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
+        log_simulation(stream, rollouts, judgements, versions, theme)
+        if rollouts.scene.pedestrians:
+            log_clearance(stream, rollouts, theme)
+        log_figures(stream, rollouts, judgements, theme)
+        log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
+        log_text(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
+        log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
+
+
+def log_simulation(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    versions: dict[str, str],
+    theme: Theme,
+) -> None:
+    """Keep what was simulated and judged: all that a scene is read back from."""
+    log_properties(stream, rollouts, judgements, versions)
+    log_ground(stream, entities.GROUND)
+    log_scene(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
+    for index in range(len(rollouts.actions)):
+        log_action(stream, rollouts, index, theme)
+    if rollouts.scene.pedestrians:
+        log_without_robot(stream, rollouts, theme)
+    log_outcomes(stream, rollouts)
+    log_judgements(stream, judgements)
+
+
+def log_properties(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    versions: dict[str, str],
+) -> None:
+    """Say what is needed to make the recording again."""
+    scene, actions = rollouts.scene, rollouts.actions
+    teachers = {each.teacher: asdict(each.parameters) for each in judgements}
+    # a component costs a kilobyte however little it holds, hence text where there are many
+    stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
+    stream.send_property(
+        "simulation",
+        rr.AnyValues(
+            schema_version=SCHEMA_VERSION,
+            seed=rollouts.seed,
+            rollouts=rollouts.robot.shape[1],
+            dt=rollouts.dt,
+            horizon=rollouts.horizon,
+            model=rollouts.model,
+            engine=rollouts.engine,
+            wrap_angles=rollouts.wrap_angles,
+            noise=tomli_w.dumps(asdict(rollouts.noise)),
+            limits=tomli_w.dumps(asdict(rollouts.limits)),
+            actions=tomli_w.dumps({"actions": [asdict(action) for action in actions]}),
+            teachers=tomli_w.dumps(teachers),
+            versions=tomli_w.dumps(versions),
+        ),
+    )
+
+
+def log_figures(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: tuple[Judgement, ...],
+    theme: Theme,
+) -> None:
+    """Draw all figures."""
+    # screens count y downwards, figures count it upwards
+    stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+    log_distributions(stream, rollouts, theme)
+    log_comparison(stream, rollouts, judgements, theme)
+    log_prospects(stream, rollouts, judgements, theme)
+    log_curves(stream, judgements)
+    log_ranks(stream, tuple(action.name for action in rollouts.actions), judgements, theme)
+
+
+def log_text(stream: rr.RecordingStream, path: str, markdown: str) -> None:
+    """Add a page of Markdown."""
+    stream.log(path, rr.TextDocument(markdown, media_type=rr.MediaType.MARKDOWN), static=True)
+
+
+def package_versions() -> dict[str, str]:
+    """Versions of Python and of the packages that shape a recording."""
+    versions = {package: version(package) for package in PACKAGES}
+    return {"python": sys.version.split()[0], **versions}
+
+
+def identity(rollouts: Rollouts) -> str:
+    """An id that is the same for the same simulation: opened twice, it is one recording."""
+    made_of = (
+        scene_to_toml(rollouts.scene),
+        rollouts.actions,
+        rollouts.seed,
+        rollouts.noise,
+        rollouts.limits,
+        rollouts.model,
+        rollouts.engine,
+        rollouts.wrap_angles,
+        rollouts.dt,
+        rollouts.robot.shape,
+    )
+    digest = hashlib.sha256(repr(made_of).encode()).hexdigest()
+    return f"{rollouts.scene.name}-{digest[:12]}"

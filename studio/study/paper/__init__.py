@@ -1,0 +1,1 @@
+"""The figure of a study for a paper, drawn with matplotlib."""

@@ -1,0 +1,293 @@
+"""The study's figure for a paper: learning curves in vector form, as wide as one column.
+
+One panel a teacher, one above the other on shared axes. Learners are named beside the ends of their
+curves and differ in marks and dashes as well as in colour, so that the figure can be read in grey
+and by people who see colours differently. What else a reader needs to know is for the caption;
+`paper_caption` suggests one, and it is kept in the file's metadata.
+
+The type of a PDF is embedded as TrueType (type 42). SVG has no way to embed fonts that all programs
+heed, so letters are outlines there. Files bear no date: with one version of matplotlib, the same
+table gives the same bytes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
+
+from learners import Curve, Teacher
+from studio.painter.frames import spread_apart
+from studio.study.paper.page import (
+    EDGE,
+    PAD,
+    POINT,
+    SAMPLE,
+    SMALL_TYPE,
+    STEP,
+    TYPE,
+    Page,
+    Regrets,
+    measure,
+    points,
+    rgb,
+    settings,
+    shortened,
+    with_room,
+    write,
+)
+from studio.study.picture.results import PARAMETERS, Results, numbers_of
+from studio.style.palette import LEARNER_COLOURS, LIGHT, learner_colour
+from studio.style.words import counted, learner_name, number, teacher_name
+
+_MARK = 3.2  # size of marks, pt
+_BAND = 0.17
+"""How opaque a band is."""
+
+
+@dataclass(frozen=True)
+class _Pen:
+    """What a learner's curve looks like apart from its colour.
+
+    Attributes:
+        mark: matplotlib's name of the mark.
+        dashes: lengths of dashes and gaps, in widths of the line; a whole line without.
+        filled: whether marks are; the others are white inside.
+    """
+
+    mark: str
+    dashes: tuple[float, ...]
+    filled: bool
+
+
+_PENS = (
+    _Pen("s", (3.0, 1.5), filled=False),
+    _Pen("o", (), filled=True),
+    _Pen("^", (6.0, 1.4, 1.2, 1.4), filled=True),
+    _Pen("D", (1.2, 1.2), filled=False),
+    _Pen("v", (8.0, 2.0), filled=False),
+    _Pen("P", (4.0, 1.2, 1.2, 1.2, 1.2, 1.2), filled=True),
+    _Pen("X", (2.0, 2.5), filled=True),
+)
+"""Of the learners in `LEARNER_COLOURS`, then of a user's own."""
+
+
+def write_paper_figure(path: Path, table: pa.Table, teachers: Sequence[Teacher]) -> None:
+    """Write the figure of a study as a PDF or SVG file.
+
+    Args:
+        path: ends in .pdf or .svg.
+        table: one row a fit, see `learners.run_study`; it may be incomplete.
+        teachers: who were learned from, in the order of the panels.
+    """
+    caption = paper_caption(table, teachers)
+    is_pdf = path.suffix.lower() == ".pdf"
+    about = {
+        "Title": "Learning curves",
+        "Creator": "prospect-studio",
+        "Subject" if is_pdf else "Description": caption,
+        "CreationDate" if is_pdf else "Date": None,
+    }
+    figure = compose_paper_figure(table, teachers)
+    with settings():
+        figure.savefig(path, metadata=about)
+
+
+def paper_caption(table: pa.Table, teachers: Sequence[Teacher]) -> str:
+    """What a reader of the figure needs to know beside it, in one line.
+
+    Arguments as for `write_paper_figure`.
+    """
+    results = Results(table, tuple(teachers), left_out=0)
+    if not results.regret:
+        return "Held-out regret: no fits yet."
+    pairs = counted(results.sizes[-1], "preference pair")
+    if len(results.sizes) > 1:
+        pairs = f"{results.sizes[0]} to {pairs}"
+    *others, last = _titles(results)
+    panels = f"{', '.join(others)} and {last}" if others else last
+    said = [f"Held-out regret, in % of a random action's, after {pairs}: {panels}"]
+    runs = {int(count) for curve in results.regret for count in curve.runs}
+    seeds = counted(max(runs), "seed")
+    if max(runs) > 1:
+        some = f"{min(runs)} to {seeds}" if len(runs) > 1 else seeds
+        said.append(f"Marks: mean over {some}; bands: 95 % bootstrap interval of the mean")
+    else:
+        said.append(f"Marks: {seeds}")
+    said.append("Logarithmic axes")
+    sure = [row["certainty"] for row in results.rows if row["certainty"] is not None]
+    if sure:
+        said.append(f"Answers were {round(100 * float(np.mean(sure)))} % certain on average")
+    unsettled = sum(row["converged"] is False for row in results.rows)
+    if unsettled:
+        said.append(f"{unsettled} of {counted(len(results.rows), 'fit')} did not converge")
+    return " ".join(f"{sentence}." for sentence in said)
+
+
+def compose_paper_figure(table: pa.Table, teachers: Sequence[Teacher]) -> Figure:
+    """Draw the figure of a study; arguments as for `write_paper_figure`."""
+    results = Results(table, tuple(teachers), left_out=0)
+    up = Regrets.around(results.regret)
+    with settings():
+        page = Page.of(results, up)
+        figure = Figure((page.width / POINT, page.height / POINT), dpi=POINT)
+        _write_titles(figure, page, results)
+        for index, teacher in enumerate(teachers):
+            axes = _add_panel(figure, page, index, results, up)
+            curves = [curve for curve in results.regret if curve.teacher == teacher.name]
+            _draw_curves(axes, page, curves, up, results)
+            _name_curves(figure, page, index, curves, up, results)
+            if not curves:
+                middle = (page.left + page.across / 2.0, page.bottom(index) + page.panel / 2.0)
+                write(figure, *middle, "no fits yet", SMALL_TYPE, ha="center", va="center")
+        across = page.left + page.across / 2.0
+        write(figure, across, EDGE + 0.25 * TYPE, "Preference pairs", TYPE, ha="center")
+        up_page = (page.foot + page.top(0)) / 2.0
+        name = "Held-out regret (% of a random action's)"
+        write(figure, EDGE, up_page, name, TYPE, va="center", rotation="vertical")
+    return figure
+
+
+def _titles(results: Results) -> list[str]:
+    """The panels' titles."""
+    names = [f"{teacher_name(teacher.name)} teacher" for teacher in results.teachers]
+    # what cannot be printed would break lines, and is not allowed in an SVG's metadata
+    names = ["".join(c if c.isprintable() else " " for c in name) for name in names]
+    if len(names) == 1:
+        return names
+    return [f"({chr(ord('a') + index)}) {name}" for index, name in enumerate(names)]
+
+
+def _write_titles(figure: Figure, page: Page, results: Results) -> None:
+    """Write titles above panels, and the teachers' parameters if all of them have room."""
+    titles = _titles(results)
+    remarks = []
+    for teacher in results.teachers:
+        given = zip(PARAMETERS.values(), numbers_of(teacher.parameters), strict=True)
+        remarks.append("  ".join(f"{letter} {number(value, '.3g')}" for letter, value in given))
+    room = page.width - EDGE - page.left
+    fit = all(
+        measure(title, TYPE, "bold") + 2.0 * TYPE + measure(remark, SMALL_TYPE) <= room
+        for title, remark in zip(titles, remarks, strict=True)
+    )
+    for index, (title, remark) in enumerate(zip(titles, remarks, strict=True)):
+        line = page.top(index) + 0.5 * TYPE
+        text = shortened(title, room, TYPE, "bold")
+        write(figure, page.left, line, text, TYPE, weight="bold")
+        if fit:
+            write(figure, page.left + room, line, remark, SMALL_TYPE, ha="right")
+
+
+def _add_panel(figure: Figure, page: Page, index: int, results: Results, up: Regrets) -> Axes:
+    """Add a panel with its axes; only the lowest has numbers under it."""
+    wide, high = page.width, page.height
+    axes = figure.add_axes(
+        (page.left / wide, page.bottom(index) / high, page.across / wide, page.panel / high)
+    )
+    first, last = (results.sizes[0], results.sizes[-1]) if results.sizes else (1, 10)
+    margin = (last / first) ** 0.04 if last > first else 4.0
+    ends = (first / margin, last * margin)
+    axes.set(xscale="log", yscale="log", xlim=ends, ylim=up.ends)
+    below = [str(size) for size in results.sizes]
+    lengths = [measure(text, SMALL_TYPE) for text in below]
+    shown = with_room(_along(page, results.sizes, ends), lengths, 0.5 * SMALL_TYPE)
+    _set_ticks(axes.xaxis, [float(size) for size in results.sizes], below, shown)
+    marks = up.marks()
+    heights = [page.panel * up.share(mark) for mark in marks]
+    shown = with_room(heights, [SMALL_TYPE] * len(marks), 0.2 * SMALL_TYPE)
+    _set_ticks(axes.yaxis, up.along(marks).tolist(), [number(mark) for mark in marks], shown)
+    length = 0.7 * PAD
+    axes.tick_params(length=length, width=0.5, pad=PAD - length, color=rgb(LIGHT.faint))
+    axes.tick_params(labelcolor=rgb(LIGHT.ink), labelsize=SMALL_TYPE)
+    axes.tick_params(axis="x", labelbottom=index == page.panels - 1)
+    axes.grid(color=rgb(LIGHT.grid), linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set(linewidth=0.5, color=rgb(LIGHT.faint))
+    return axes
+
+
+def _set_ticks(
+    axis: Axis, places: Sequence[float], labels: Sequence[str], shown: Sequence[int]
+) -> None:
+    """Put ticks at these places, with those labels that are shown."""
+    texts = [label if index in shown else "" for index, label in enumerate(labels)]
+    axis.set_major_locator(FixedLocator(places))
+    axis.set_major_formatter(FixedFormatter(texts))
+    axis.set_minor_locator(NullLocator())
+
+
+def _along(page: Page, sizes: Sequence[int], ends: tuple[float, float]) -> list[float]:
+    """Where numbers of pairs lie in a panel, pt."""
+    shares = np.log(np.array(sizes) / ends[0]) / np.log(ends[1] / ends[0])
+    return [page.across * float(share) for share in shares]
+
+
+def _draw_curves(
+    axes: Axes, page: Page, curves: Sequence[Curve], up: Regrets, results: Results
+) -> None:
+    """Draw curves with the bands of their intervals; a single interval is a bar."""
+    for curve in curves:
+        look = _look(curve.learner, results)
+        low, high = up.along(curve.low), up.along(curve.high)
+        if len(curve.pairs) == 1:
+            axes.vlines(curve.pairs, low, high, color=look["color"], linewidth=0.8)
+            continue
+        several = curve.runs > 1
+        axes.fill_between(
+            curve.pairs, low, high, where=several, color=look["color"], alpha=_BAND, linewidth=0.0
+        )
+        for edge in (low, high):
+            axes.plot(
+                curve.pairs,
+                np.where(several, edge, np.nan),
+                **look | {"linewidth": 0.4, "marker": ""},
+            )
+    for curve in curves:
+        places = _along(page, curve.pairs.tolist(), axes.get_xlim())
+        marked = with_room(places, [_MARK] * len(places), 0.5 * _MARK)
+        look = _look(curve.learner, results)
+        axes.plot(curve.pairs, up.along(curve.mean), markevery=marked, zorder=3, **look)
+
+
+def _name_curves(
+    figure: Figure, page: Page, index: int, curves: Sequence[Curve], up: Regrets, results: Results
+) -> None:
+    """Write learners' names beside the ends of their curves, each after a piece of its line."""
+    low, top = page.bottom(index), page.top(index)
+    ends = sorted(
+        (low + page.panel * up.share(float(curve.mean[-1])), curve.learner) for curve in curves
+    )
+    heights = spread_apart([y for y, _ in ends], STEP, low + STEP / 2.0, top - STEP / 2.0)
+    start = page.left + page.across + PAD
+    end = start + SAMPLE
+    for y, (_, learner) in zip(heights, ends, strict=True):
+        line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **_look(learner, results))
+        line.set(transform=points(figure), markevery=[1])
+        figure.add_artist(line)
+        room = page.width - EDGE - end - PAD
+        name = shortened(learner_name(learner), room, SMALL_TYPE)
+        write(figure, end + PAD, y, name, SMALL_TYPE, va="center_baseline")
+
+
+def _look(learner: str, results: Results) -> dict[str, Any]:
+    """What a learner's line looks like, as matplotlib's properties of lines."""
+    known = list(LEARNER_COLOURS)
+    order = [*known, *(name for name in results.learners if name not in known)]
+    pen, colour = _PENS[order.index(learner) % len(_PENS)], rgb(learner_colour(learner))
+    return {
+        "color": colour,
+        "linewidth": 1.0,
+        "linestyle": (0, pen.dashes) if pen.dashes else "solid",
+        "marker": pen.mark,
+        "markersize": _MARK,
+        "markeredgewidth": 0.7,
+        "markerfacecolor": colour if pen.filled else rgb(LIGHT.ground),
+    }

@@ -1,0 +1,358 @@
+"""What learners make of people: the weights, values, reward and probabilities that they learnt."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from learners import Teacher, unit_vector, value, weight
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.painter.frames import (
+    LogAxis,
+    caption,
+    dashed_path,
+    dot,
+    foot,
+    ground,
+    gutter,
+    labels_below,
+    labels_beside,
+)
+from studio.painter.plots import Axis
+from studio.study.picture.results import (
+    PARAMETERS,
+    Results,
+    Row,
+    calibration,
+    feature_names,
+    numbers_of,
+    parameters_of,
+)
+from studio.study.picture.scales import Scales
+from studio.style.palette import blend, learner_colour
+from studio.style.ticks import ticks
+from studio.style.words import number
+
+_MOST_SEEDS = 60
+"""So many seeds are drawn one by one; more would only be a smear."""
+
+_FEW_SEEDS = 8
+"""Lines of more seeds than that are translucent, so that they do not fill the plot."""
+
+_SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
+"""How dark curves are, from few pairs to many."""
+
+_REWARD = ["Reward θ/‖θ‖", "θ/‖θ‖"]
+
+_GAP = 26
+"""Between plots side by side, in units of the page."""
+
+
+def draw_shapes(
+    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+) -> None:
+    """Draw how probabilities are weighted and utilities valued, learnt and in truth.
+
+    Choices tell v and the length of θ only together. What a learner makes of the teacher's utility
+    x is therefore v(x ‖θ‖/‖θ*‖), with θ and v both learnt.
+    """
+    losses, gains, worth = box.columns((1, 1, 1), 0.7 * _GAP * canvas.unit)
+    truth = teacher.parameters
+    p = np.linspace(0.0, 1.0, 101)
+    for at, column, wordings in (
+        (losses, "delta", ["Weight of losses", "Losses"]),
+        (gains, "gamma", ["Weight of gains", "Gains"]),
+    ):
+        rest = caption(canvas, at, wordings)
+        panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
+        across, up = Axis(0, 1, panel.left, panel.right), Axis(0, 1, panel.bottom, panel.top)
+        quarters = (0.0, 0.25, 0.5, 0.75, 1.0)
+        ground(canvas, panel, [across.at(q) for q in quarters], [up.at(q) for q in quarters])
+        canvas.line(
+            [(panel.left, panel.bottom), (panel.right, panel.top)], canvas.theme.grid, canvas.hair
+        )
+        labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
+        curves = [
+            (shade, weight(p, float(row[column]))) for shade, row in _shaded_rows(results, teacher)
+        ]
+        true = weight(p, getattr(truth, column), weighting=teacher.weighting)
+        _draw_shape(canvas, panel, across, up, p, curves, true, results)
+        if column == "delta":
+            _draw_key(canvas, panel, results)
+    rest = caption(canvas, worth, ["Value of utility x", "Value of x", "Value"])
+    panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
+    reach = scales.reach
+    across = Axis(-reach, reach, panel.left, panel.right)
+    up = Axis(*scales.values, panel.bottom, panel.top)
+    ground(canvas, panel)
+    zero_x, zero_y = round(across.at(0.0)), round(up.at(0.0))
+    axis_colour = blend(canvas.theme.faint, canvas.theme.panel, 0.5)
+    canvas.fill(Box(zero_x, panel.top, zero_x + canvas.hair, panel.bottom), axis_colour)
+    canvas.fill(Box(panel.left, zero_y, panel.right, zero_y + canvas.hair), axis_colour)
+    labels_below(canvas, panel, across.at, (-reach, 0.0, reach), "")
+    x = reach * np.sign(np.linspace(-1, 1, 121)) * np.linspace(-1, 1, 121) ** 2
+    length = float(np.linalg.norm(teacher.reward)) or 1.0
+    curves = []
+    for shade, row in _shaded_rows(results, teacher):
+        parameters = parameters_of(row)
+        stretch = float(np.linalg.norm(row["theta"])) / length
+        if parameters is not None:
+            curves.append((shade, value(x * stretch, parameters)))
+    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), results)
+
+
+def _shaded_rows(results: Results, teacher: Teacher) -> list[tuple[float, Row]]:
+    """Fits of the learner whose shapes are shown, few pairs first, and how dark to draw them."""
+    sizes = results.sharpening
+    return [
+        (shade, row)
+        for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
+        for row in results.fits_of(teacher.name, results.shaped[0], pairs)[:_MOST_SEEDS]
+        if parameters_of(row) is not None
+    ]
+
+
+def _draw_shape(
+    canvas: Canvas,
+    panel: Box,
+    across: Axis,
+    up: Axis,
+    x: FloatArray,
+    curves: Sequence[tuple[float, FloatArray]],
+    truth: FloatArray,
+    results: Results,
+) -> None:
+    """Draw learnt curves, the darker ones above, and the true one on top."""
+    part, unit = canvas.clipped(panel), canvas.unit
+    colour = learner_colour(results.shaped[0])
+    for shade in dict.fromkeys(shade for shade, _ in curves):
+        lines = [
+            np.stack([_straight(across, x), _straight(up, y)], axis=-1)
+            for own_shade, y in curves
+            if own_shade == shade
+        ]
+        tint = blend(colour, canvas.theme.panel, shade)
+        if len(lines) > _FEW_SEEDS:
+            # where many lines meet is where the learner mostly ends up
+            part.faint_paths(lines, tint, unit, 0.4)
+            continue
+        for line in lines:
+            part.line(line, tint, unit)
+    true = np.stack([_straight(across, x), _straight(up, truth)], axis=-1)
+    dashed_path(part, true, canvas.theme.ink, 2.4 * unit)
+
+
+def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
+    """Write which shade stands for how many pairs, below the weighting curves, if there is room."""
+    unit, size = canvas.unit, canvas.type.small
+    sizes, step = results.sharpening, 1.05 * canvas.type.small
+    right, bottom = panel.right - 5 * unit, panel.bottom - 0.7 * size
+    widest = max((canvas.measure(str(pairs), size) for pairs in sizes), default=0.0)
+    left = right - widest - 20 * unit
+    # the free corner is as high as half the panel
+    if len(sizes) < 2 or len(sizes) * step > 0.5 * panel.height or left < panel.centre[0]:
+        return
+    colour = learner_colour(results.shaped[0])
+    for index, (pairs, shade) in enumerate(zip(sizes, _SHADES[len(sizes)], strict=True)):
+        middle = bottom - (len(sizes) - 1 - index) * step
+        stroke = [(left, middle), (left + 15 * unit, middle)]
+        canvas.line(stroke, blend(colour, canvas.theme.panel, shade), 2.6 * unit)
+        canvas.text((left + 20 * unit, middle), str(pairs), size, canvas.theme.faint)
+
+
+def _straight(axis: Axis, values: FloatArray) -> FloatArray:
+    """Where values lie, px, also off the axis."""
+    shares = (np.asarray(values) - axis.low) / (axis.high - axis.low)
+    pixels: FloatArray = axis.start + shares * (axis.end - axis.start)
+    return pixels
+
+
+def draw_parameters(
+    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+) -> None:
+    """Draw θ and the parameters that were learnt from the most pairs, a dot a seed."""
+    learnt = {name: results.largest(teacher.name, name) for name in results.learners}
+    halves = box.columns((1.45, 1), _GAP * canvas.unit) if results.shaped else (box,)
+    low, high = scales.theta
+    _draw_cosines(canvas, halves[0], learnt, teacher)
+    plot = _RowPlot(
+        _REWARD,
+        feature_names(len(teacher.reward)),
+        [mark for mark in ticks(low, high, 4) if low <= mark <= high],
+        0.0,
+    )
+    units = {name: [unit_vector(row["theta"]) for row in rows] for name, rows in learnt.items()}
+    plot.draw(
+        canvas, halves[0], Axis(low, high, 0.0, 1.0), unit_vector(teacher.reward).tolist(), units
+    )
+    if not results.shaped:
+        return
+    low, high = scales.parameters
+    plot = _RowPlot(
+        ["Parameters of prospect theory", "Risk parameters", "Parameters"],
+        list(PARAMETERS.values()),
+        [mark for mark in (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0) if low <= mark <= high],
+        1.0,
+    )
+    numbers = {
+        name: [
+            np.array(numbers_of(parameters))
+            for parameters in map(parameters_of, learnt[name])
+            if parameters is not None
+        ]
+        for name in results.learners
+        if name in results.shaped
+    }
+    across = LogAxis(low, high, 0.0, 1.0, 0.0)
+    plot.draw(canvas, halves[1], across, numbers_of(teacher.parameters), numbers)
+
+
+def _draw_cosines(
+    canvas: Canvas, box: Box, learnt: Mapping[str, Sequence[Row]], teacher: Teacher
+) -> None:
+    """Write how near the learnt θ points to the true one, beside the plot's name."""
+    size, gap = canvas.type.small, 8 * canvas.unit
+    texts = [("cos", canvas.theme.faint)]
+    for name, rows in learnt.items():
+        if rows:
+            cosine = number(_mean_cosine(rows, teacher), ".3f")
+            texts.append((cosine, canvas.theme.legible(learner_colour(name))))
+    widths = [canvas.measure(text, size) for text, _ in texts]
+    room = box.width - canvas.measure(_REWARD[0], size, SEMIBOLD) - gap
+    if len(texts) == 1 or sum(widths) + gap * len(widths) > room:
+        return
+    right = box.right
+    for (text, colour), width in zip(reversed(texts), reversed(widths), strict=True):
+        canvas.text((right, box.top), text, size, colour, anchor="right", line="top")
+        right -= width + gap
+
+
+@dataclass(frozen=True)
+class _RowPlot:
+    """Numbers under one another, each on a row of its own.
+
+    Attributes:
+        wordings: what the plot is called, the longest first.
+        names: of the numbers.
+        marks: values to write under the plot.
+        neutral: the value that means nothing, marked by a line.
+    """
+
+    wordings: Sequence[str]
+    names: Sequence[str]
+    marks: Sequence[float]
+    neutral: float
+
+    def draw(
+        self,
+        canvas: Canvas,
+        box: Box,
+        shares: Axis | LogAxis,
+        truth: Sequence[float],
+        learnt: Mapping[str, Sequence[FloatArray]],
+    ) -> None:
+        """Draw what was learnt around the truth.
+
+        Args:
+            canvas: to draw on.
+            box: where, px.
+            shares: where values lie, from 0 (left) to 1 (right).
+            truth: the number of each row.
+            learnt: of each learner the numbers of each seed.
+        """
+        unit, size = canvas.unit, canvas.type.small
+        rest = caption(canvas, box, self.wordings)
+        left = min(gutter(canvas, self.names), 0.4 * rest.width)
+        panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+
+        def at(value: float) -> float:
+            # a margin keeps dots at the ends whole
+            return panel.left + 6 * unit + shares.at(value) * (panel.width - 12 * unit)
+
+        ground(canvas, panel, across=[at(mark) for mark in self.marks])
+        if shares.low < self.neutral < shares.high:
+            neutral = round(at(self.neutral))
+            canvas.fill(
+                Box(neutral, panel.top, neutral + canvas.hair, panel.bottom),
+                blend(canvas.theme.faint, canvas.theme.panel, 0.6),
+            )
+        labels_below(canvas, panel, at, self.marks, "")
+        rows = panel.rows([1.0] * len(self.names))
+        part = canvas.clipped(panel)
+        for index, (name, true, row) in enumerate(zip(self.names, truth, rows, strict=True)):
+            # where rows are lower than type, only so many are named
+            if index % math.ceil(1.05 * size / row.height) == 0:
+                text = canvas.fitted(name, left - 6 * unit, size)
+                right = panel.left - 6 * unit
+                canvas.text((right, row.centre[1]), text, size, canvas.theme.ink, anchor="right")
+            if index:
+                canvas.fill(
+                    Box(panel.left, row.top, panel.right, row.top + canvas.hair), canvas.theme.grid
+                )
+            lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(learnt), 1))
+            for (learner, seeds), lane in zip(learnt.items(), lanes, strict=False):
+                found = [at(float(numbers[index])) for numbers in seeds]
+                if not found:
+                    continue
+                colour = learner_colour(learner)
+                radius = min(max(0.42 * lane.height, 2.0 * unit), 4.0 * unit)
+                if len(found) > 1:
+                    for x in found[:_MOST_SEEDS]:
+                        part.disc(
+                            (x, lane.centre[1]),
+                            0.72 * radius,
+                            blend(colour, canvas.theme.panel, 0.5),
+                        )
+                mean = at(float(np.mean([numbers[index] for numbers in seeds])))
+                dot(part, mean, lane.centre[1], colour, radius / unit)
+            pen = max(1, round(2 * unit))
+            bar = round(at(true) - pen / 2)
+            canvas.fill(Box(bar, row.top, bar + pen, row.bottom), canvas.theme.ink)
+
+
+def draw_calibration(
+    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+) -> None:
+    """Draw how much more often the teacher prefers than what was predicted."""
+    wordings = [
+        "Preferred − predicted, % of answers",
+        "Preferred − predicted, %",
+        "Prediction error, %",
+        "Error, %",
+    ]
+    rest = caption(canvas, box, wordings)
+    reach = scales.calibration
+    marks = ticks(-reach, reach, 2)
+    left = gutter(canvas, [number(mark) for mark in marks])
+    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    across = Axis(0, 100, panel.left, panel.right)
+    # a margin keeps dots at the ends whole
+    margin = 5 * canvas.unit
+    up = Axis(-reach, reach, panel.bottom - margin, panel.top + margin)
+    quarters = (0.0, 25.0, 50.0, 75.0, 100.0)
+    ground(canvas, panel, [across.at(mark) for mark in quarters], [up.at(mark) for mark in marks])
+    labels_below(canvas, panel, across.at, (0.0, 100.0), "predicted")
+    labels_beside(canvas, panel, up.at, marks)
+    zero = np.array([(panel.left, up.at(0.0)), (panel.right, up.at(0.0))])
+    dashed_path(canvas, zero, canvas.theme.ink, 1.2 * canvas.unit)
+    part = canvas.clipped(panel)
+    for pairs in dict.fromkeys((*results.sizes[:1], *results.sizes[-1:])):
+        for name in results.learners:
+            points = calibration(results.fits_of(teacher.name, name, pairs))
+            if not len(points):
+                continue
+            colour = learner_colour(name)
+            line = np.stack([across.along(points[:, 0]), up.along(points[:, 1])], axis=-1)
+            if pairs < results.sizes[-1]:
+                part.line(line, blend(colour, canvas.theme.panel, 0.5), 1.2 * canvas.unit)
+                continue
+            part.line(line, colour, 2.2 * canvas.unit)
+            for x, y in line:
+                dot(part, float(x), float(y), colour, 2.4)
+
+
+def _mean_cosine(rows: Sequence[Row], teacher: Teacher) -> float:
+    """Mean over seeds of the cosine between the learnt and the true θ."""
+    truth = unit_vector(teacher.reward)
+    return float(np.mean([unit_vector(row["theta"]) @ truth for row in rows]))

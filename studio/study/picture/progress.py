@@ -1,0 +1,194 @@
+"""How learners get better with more pairs: regret, and agreement with the teacher's best action."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from learners import Curve, Teacher
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.painter.frames import (
+    LogAxis,
+    band,
+    caption,
+    decades,
+    dot,
+    end_labels,
+    foot,
+    ground,
+    gutter,
+    labels_below,
+    labels_beside,
+)
+from studio.painter.plots import Axis
+from studio.study.picture.results import Results
+from studio.study.picture.scales import Scales
+from studio.style.palette import Colour, learner_colour
+from studio.style.ticks import ticks
+from studio.style.words import learner_name, number
+
+
+def draw_regret(
+    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+) -> None:
+    """Draw how regret fell with the number of pairs so far, both logarithmic."""
+    kind = canvas.type
+    wordings = [
+        "Held-out regret, % of a random action's",
+        "Held-out regret, % of random",
+        "Regret, % of random",
+        "Regret, %",
+    ]
+    rest = caption(canvas, box, wordings)
+    low, high = scales.regret
+    marks = decades(low, high)
+    left = gutter(canvas, [number(mark) for mark in marks])
+    curves = [curve for curve in results.regret if curve.teacher == teacher.name]
+    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    strip = 1.5 * kind.small if scales.has_zero else 0.0
+    up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
+    if scales.has_zero:
+        marks = [0.0, *marks]
+    drawn = _draw_curves(canvas, panel, results, curves, up, marks, 1.0, _percent)
+    if not drawn:
+        canvas.text(panel.centre, "no fits yet", kind.small, canvas.theme.faint, anchor="centre")
+
+
+def draw_agreement(
+    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+) -> None:
+    """Draw in what share of scenes the teacher's best action was picked so far."""
+    wordings = [
+        "Picks the teacher's best action, % of scenes",
+        "Picks the best action, %",
+        "Best action picked, %",
+        "Best picks, %",
+        "Agreement",
+    ]
+    rest = caption(canvas, box, wordings)
+    marks = [mark for mark in ticks(scales.agreement, 100.0, 4) if mark <= 100.0]
+    left = gutter(canvas, [number(mark) for mark in marks])
+    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    # a margin keeps dots at the top whole
+    up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
+    curves = [curve for curve in results.agreement if curve.teacher == teacher.name]
+    _draw_curves(canvas, panel, results, curves, up, marks, 100.0, "{:.0f}".format)
+
+
+def _draw_curves(
+    canvas: Canvas,
+    panel: Box,
+    results: Results,
+    curves: Sequence[Curve],
+    up: Axis | LogAxis,
+    marks: Sequence[float],
+    scale: float,
+    say: Callable[[float], str],
+) -> int:
+    """Draw curves over the number of pairs, with bands, and names at their ends.
+
+    They go as far as the results do; their names stand to the right of the farthest end.
+
+    Args:
+        canvas: to draw on.
+        panel: where, px.
+        results: how far the curves go.
+        curves: of the whole study.
+        up: the vertical axis.
+        marks: values to write beside it.
+        scale: what the curves' values are multiplied by.
+        say: turns such a value into words.
+
+    Returns:
+        How many curves have begun.
+    """
+    unit, size = canvas.unit, canvas.type.small
+    wordings = [_wordings(curve, [say(scale * mean) for mean in curve.mean]) for curve in curves]
+    widest = [canvas.measure(said, size, SEMIBOLD) for texts in wordings for said, _ in texts]
+    room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
+    pen = 9 * unit
+    sizes = [float(pairs) for pairs in results.all_sizes]
+    first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
+    if first == last:
+        first = last / 4.0  # a single dot lies beside its name
+    start, end = panel.left + pen, panel.right - room - pen
+    across = LogAxis(first, last, start, end, start)
+    ground(
+        canvas,
+        panel,
+        across=[across.at(pairs) for pairs in sizes],
+        up=[up.at(mark) for mark in marks],
+    )
+    labels_beside(canvas, panel, up.at, marks)
+    plot = Box(panel.left, panel.top, panel.right - room, panel.bottom)
+    written = labels_below(canvas, panel, across.at, sizes, "")
+    if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
+        at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
+        canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
+    begun = [
+        (_Line.of(curve, reached, across, up, scale), texts[reached - 1])
+        for curve, texts in zip(curves, wordings, strict=True)
+        if (reached := int(np.count_nonzero(curve.pairs <= results.reached)))
+    ]
+    lines = [line for line, _ in begun]
+    part = canvas.clipped(plot)
+    for line in lines:
+        if len(line.x) > 1 and line.is_mean:
+            band(canvas, plot, line.x, line.low, line.high, line.colour)
+    for line in lines:
+        part.line(np.stack([line.x, line.y], axis=-1), line.colour, 2.6 * unit)
+    for line in lines:
+        for x, y in zip(line.x, line.y, strict=True):
+            dot(part, float(x), float(y), line.colour, 3.4)
+    left = max((float(line.x[-1]) for line in lines), default=end) + pen
+    labels = [(float(line.y[-1]), texts, line.colour) for line, texts in begun]
+    end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
+    return len(lines)
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A learning curve on the page, px.
+
+    Attributes:
+        colour: of the learner.
+        is_mean: whether it is a mean over several seeds.
+        x: [n], where the numbers of pairs lie.
+        y: [n], where the means lie.
+        low: [n], lower ends of the intervals of the mean.
+        high: [n], upper ends.
+    """
+
+    colour: Colour
+    is_mean: bool
+    x: FloatArray
+    y: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+    @classmethod
+    def of(
+        cls, curve: Curve, count: int, across: LogAxis, up: Axis | LogAxis, scale: float
+    ) -> "_Line":
+        """The first so many means of a curve between these axes, multiplied by the scale."""
+        means, lows, highs = (values[:count] for values in (curve.mean, curve.low, curve.high))
+        return cls(
+            learner_colour(curve.learner),
+            bool((curve.runs[:count] > 1).any()),
+            across.along(curve.pairs[:count]),
+            *(up.along(scale * values) for values in (means, lows, highs)),
+        )
+
+
+def _wordings(curve: Curve, values: Sequence[str]) -> list[tuple[str, str]]:
+    """What is written where a curve has each of these values, the longer wording first."""
+    name = learner_name(curve.learner)
+    return [(f"{name} {value}", name) for value in values]
+
+
+def _percent(share: float) -> str:
+    """A percentage to about two digits."""
+    if share <= 0.0:
+        return "0 %"
+    digits = 0 if share >= 9.95 else 1 if share >= 0.995 else 2
+    return f"{share:.{digits}f} %" if share >= 0.005 else "< 0.01 %"

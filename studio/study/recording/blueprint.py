@@ -1,0 +1,166 @@
+"""How a recording of a study looks when it opens: its tabs, views, and where its time stands."""
+
+from collections.abc import Sequence
+
+import rerun.blueprint as rrb
+
+from learners import Teacher
+from studio.scene.framing import Bounds
+from studio.scene.recording.blueprint import drawn_view, page_view
+from studio.study.recording import entities
+from studio.study.recording.calibration import CALIBRATION, calibration_axes
+from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
+from studio.study.recording.families import FAMILIES, family_figure
+from studio.study.recording.minds import (
+    GAIN_WEIGHTS,
+    LOSS_WEIGHTS,
+    PARAMETERS,
+    VALUES,
+    parameter_bounds,
+)
+from studio.study.results import Results
+from studio.style.words import short, teacher_name
+
+LENGTH = 12.0
+"""Played, the whole study takes so long, s."""
+
+
+def learning_blueprint(results: Results) -> rrb.Blueprint:
+    """The tabs: overview, one a teacher, families, calibration, about."""
+    return rrb.Blueprint(
+        rrb.Tabs(
+            overview_tab(results),
+            *(teacher_tab(results, teacher) for teacher in results.teachers),
+            *([families_tab(results)] if results.scenes else []),
+            calibration_tab(results),
+            page_view(entities.ABOUT, "About"),
+            active_tab=0,
+        ),
+        rrb.TimePanel(
+            state="collapsed",
+            timeline=entities.TIMELINE,
+            # the latest is the best that was learned; play begins anew from the first
+            play_state="following",
+            loop_mode="off",
+            fps=max(1.0, results.sizes[-1] / LENGTH),
+        ),
+        collapse_panels=True,
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def overview_tab(results: Results) -> rrb.Container:
+    """All teachers side by side: regret above, the weights of losses below; the summary beside."""
+    return rrb.Horizontal(
+        _beside_one_another(
+            [
+                rrb.Vertical(
+                    curve_view(results, teacher, REGRET),
+                    mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
+                )
+                for teacher in results.teachers
+            ]
+        ),
+        page_view(entities.SUMMARY, "Summary"),
+        column_shares=[2, 1],
+        name="Overview",
+    )
+
+
+def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
+    """One teacher: curves above, the minds below, numbers and parameters beside."""
+    return rrb.Horizontal(
+        rrb.Vertical(
+            rrb.Horizontal(
+                curve_view(results, teacher, REGRET),
+                curve_view(results, teacher, AGREEMENT),
+            ),
+            rrb.Horizontal(
+                mind_view(teacher, GAIN_WEIGHTS, "w(p) of gains"),
+                mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
+                mind_view(teacher, VALUES, "v over θ·φ/|θ|"),
+            ),
+        ),
+        rrb.Vertical(
+            page_view(entities.page(teacher.name), "Numbers"),
+            view(
+                teacher,
+                PARAMETERS,
+                parameter_bounds(results),
+                "θ/|θ| and parameters (dark mark: truth)",
+            ),
+            row_shares=[18, 19],
+        ),
+        column_shares=[2, 1],
+        name=_called(teacher),
+    )
+
+
+def families_tab(results: Results) -> rrb.Container:
+    """All teachers side by side: regret by family and scene; beside, the scenes that tell most."""
+    bounds = family_figure(results).bounds
+    return rrb.Horizontal(
+        _beside_one_another(
+            [
+                view(teacher, FAMILIES, bounds, f"{_called(teacher)}: regret by family")
+                for teacher in results.teachers
+            ]
+        ),
+        page_view(entities.SCENES, "Scenes"),
+        column_shares=[3, 2],
+        name="Families",
+    )
+
+
+def calibration_tab(results: Results) -> rrb.Container:
+    """Predicted preferences on held-out scenes: calibration above, likelihood below."""
+    return _beside_one_another(
+        [
+            rrb.Vertical(
+                view(
+                    teacher,
+                    CALIBRATION,
+                    calibration_axes().bounds,
+                    f"{_name(teacher)}: choices over predictions",
+                ),
+                curve_view(results, teacher, LIKELIHOOD),
+                row_shares=[6, 5],
+            )
+            for teacher in results.teachers
+        ],
+        "Calibration",
+    )
+
+
+def curve_view(results: Results, teacher: Teacher, kind: CurveFigure) -> rrb.View:
+    """A learning curve."""
+    title = f"{_name(teacher)}: {kind.title}"
+    return view(teacher, kind.name, kind.axes(results).bounds, title)
+
+
+def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
+    """Learnt functions beside the teacher's."""
+    return view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
+
+
+def view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
+    """A drawn figure about what was learned from a teacher."""
+    return drawn_view([f"{entities.figure(teacher.name, name)}/**"], bounds, title)
+
+
+def _beside_one_another(
+    columns: Sequence[rrb.Container | rrb.View], name: str | None = None
+) -> rrb.Container:
+    """Columns side by side, in two rows if there are more than four."""
+    if len(columns) > 4:
+        return rrb.Grid(*columns, grid_columns=(len(columns) + 1) // 2, name=name)
+    return rrb.Horizontal(*columns, name=name)
+
+
+def _name(teacher: Teacher) -> str:
+    return f"{_called(teacher)} teacher"
+
+
+def _called(teacher: Teacher) -> str:
+    return short(teacher_name(teacher.name))

@@ -1,0 +1,192 @@
+"""Learning curves: how regret, agreement and likelihood change with the number of pairs."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import rerun as rr
+
+from learners import Curve, Teacher
+from studio.recorder.axes import (
+    KEY_STEP,
+    LIFT,
+    Axes,
+    Scale,
+    draw_key,
+    key_left,
+    pairs_scale,
+    ratio_scale,
+)
+from studio.recorder.drawing import Drawing
+from studio.scene.judgements import FloatArray
+from studio.study.recording import entities
+from studio.study.results import Results
+from studio.style.palette import LIGHT, Colour, blend, learner_colour
+from studio.style.words import learner_name, teacher_name
+
+HEIGHT = 0.95
+"""Of the page of a curve, which is 1 wide."""
+
+LEAST_REGRET = 0.01
+"""Smaller regrets, 0 among them, are drawn at this where there is none above, %."""
+
+AGREEMENT_STEPS = (0.01, 0.02, 0.05, 0.1)
+"""From tick to tick of the share of best actions found: the finest with few enough ticks."""
+
+MOST_STEPS = 10
+"""So many steps there are at most, so that the words at ticks do not touch."""
+
+STROKES = 240
+"""How many strokes fill a band."""
+
+BAND_OPACITY = 0.25
+"""Of bands on the ground, and on one another."""
+
+
+@dataclass(frozen=True)
+class CurveFigure:
+    """A figure of a column of the table.
+
+    Attributes:
+        name: of the figure, as a part of entity paths.
+        column: what is followed.
+        title: of the view that shows it.
+        scale: makes the scale upwards, the same for all teachers, from the means.
+        falls: whether curves fall, so that there is room for a key in the upper right.
+        truth: column of what the teacher attains, if that is drawn too.
+    """
+
+    name: str
+    column: str
+    title: str
+    scale: Callable[[Sequence[Curve]], Scale]
+    falls: bool = True
+    truth: str | None = None
+
+    def axes(self, results: Results) -> Axes:
+        """What the figures of all teachers are drawn on."""
+        columns = [self.column, *([self.truth] if self.truth else [])]
+        curves = [
+            curve
+            for column in columns
+            for teacher in results.teachers
+            for learner in results.learners
+            if (curve := results.curve(column, teacher, learner)) is not None
+        ]
+        return Axes(pairs_scale(results.sizes), self.scale(curves), HEIGHT)
+
+
+def regret_scale(curves: Sequence[Curve]) -> Scale:
+    """Of regrets in %."""
+    means = np.concatenate([curve.mean for curve in curves])
+    highest = max(np.concatenate([curve.high for curve in curves]).max(), 3.0 * LEAST_REGRET)
+    lowest = means[means > 0.0].min(initial=highest)
+    return ratio_scale(max(LEAST_REGRET, float(lowest)), float(highest), unit=" %")
+
+
+def agreement_scale(curves: Sequence[Curve]) -> Scale:
+    """Of shares of scenes, up to 1."""
+    below = 1.0 - min(curve.low.min() for curve in curves)
+    step = next(step for step in AGREEMENT_STEPS if below <= MOST_STEPS * step)
+    steps = max(1, int(np.ceil(below / step - 1e-9)))
+    ticks = [1.0 - step * place for place in range(steps, -1, -1)]
+    return Scale(tuple(ticks), tuple(f"{100.0 * tick:.0f} %" for tick in ticks))
+
+
+def likelihood_scale(curves: Sequence[Curve]) -> Scale:
+    """Of negative log-likelihoods in nats."""
+    means = np.concatenate([curve.mean for curve in curves])
+    lowest = max(float(means.min()), 1e-3)
+    return ratio_scale(lowest, max(float(means.max()), 1.5 * lowest), (1.0, 2.0, 3.0, 5.0))
+
+
+REGRET = CurveFigure("regret", "regret_percent", "regret over pairs", regret_scale)
+AGREEMENT = CurveFigure("agreement", "agreement", "best action found", agreement_scale, falls=False)
+LIKELIHOOD = CurveFigure(
+    "likelihood",
+    "nll",
+    "negative log-likelihood, nats a pair, over pairs",
+    likelihood_scale,
+    truth="nll_teacher",
+)
+
+
+def log_curve_figure(
+    stream: rr.RecordingStream, results: Results, teacher: Teacher, kind: CurveFigure
+) -> None:
+    """Draw one column: a line for the mean over seeds, a band for its 95 % interval."""
+    path, axes = entities.figure(teacher.name, kind.name), kind.axes(results)
+    curves = {
+        learner: curve
+        for learner in results.learners
+        if (curve := results.curve(kind.column, teacher, learner)) is not None
+    }
+    drawing = Drawing(lift=LIFT)
+    draw_bands(drawing, axes, curves)
+    axes.draw(drawing)
+    for learner, curve in curves.items():
+        draw_curve(drawing, axes, curve, learner)
+    entries: list[tuple[str, Colour | None]] = [
+        (learner_name(learner), learner_colour(learner)) for learner in curves
+    ]
+    if kind.truth:
+        best = results.curve(kind.truth, teacher, next(iter(curves)))
+        assert best is not None
+        drawing.dashes(axes.place(best.pairs, best.mean), LIGHT.ink, 2.5)
+        entries.append((f"{teacher_name(teacher.name)} teacher", None))
+    top = HEIGHT - 0.06 if kind.falls else 0.06 + KEY_STEP * (len(entries) - 1)
+    draw_key(drawing, entries, key_left(words for words, _ in entries), top)
+    drawing.log(stream, path)
+    for pairs in results.sizes:
+        stream.set_time(entities.TIMELINE, sequence=pairs)
+        cursor = Drawing()
+        across = float(axes.x(pairs))
+        cursor.line([(across, 0.0), (across, HEIGHT)], LIGHT.faint, 1.0)
+        for learner, curve in curves.items():
+            for spot in axes.place(curve.pairs, curve.mean)[curve.pairs == pairs]:
+                cursor.dot(spot, LIGHT.ink, 15.0)
+                cursor.dot(spot, learner_colour(learner), 11.0)
+        cursor.log(stream, entities.moving(path), draw_order=21.0, static=False)
+    stream.reset_time()
+
+
+def draw_bands(drawing: Drawing, axes: Axes, curves: Mapping[str, Curve]) -> None:
+    """Fill the 95 % interval of each mean; where two overlap, their colours mix."""
+    bands: list[tuple[Colour, FloatArray, FloatArray, FloatArray]] = []
+    for learner, curve in curves.items():
+        colour = blend(learner_colour(learner), LIGHT.panel, BAND_OPACITY)
+        low, high = axes.place(curve.pairs, curve.low), axes.place(curve.pairs, curve.high)
+        if len(curve.pairs) == 1:
+            drawing.line([low[0], high[0]], colour, 12.0)
+            continue
+        x = np.linspace(low[0, 0], low[-1, 0], STROKES)
+        bottom, top = (np.interp(x, *side.T) for side in (low, high))
+        drawing.fill(x, bottom, top, colour)
+        for under, its_x, its_bottom, its_top in bands:
+            if np.array_equal(x, its_x):
+                mixed = blend(learner_colour(learner), under, BAND_OPACITY)
+                fill_where_there_is_room(
+                    drawing, x, np.maximum(bottom, its_bottom), np.minimum(top, its_top), mixed
+                )
+        bands.append((colour, x, bottom, top))
+
+
+def fill_where_there_is_room(
+    drawing: Drawing, x: FloatArray, low: FloatArray, high: FloatArray, colour: Colour
+) -> None:
+    """Fill the area between two curves wherever the second is the higher one."""
+    room = (high > low).astype(np.int64)
+    starts, ends = (np.flatnonzero(np.diff(room, prepend=0, append=0) == turn) for turn in (1, -1))
+    for start, end in zip(starts, ends, strict=True):
+        if end - start > 1:
+            part = slice(start, end)
+            drawing.fill(x[part], low[part], high[part], colour)
+
+
+def draw_curve(drawing: Drawing, axes: Axes, curve: Curve, learner: str) -> None:
+    """Draw the mean over seeds."""
+    colour = learner_colour(learner)
+    means = axes.place(curve.pairs, curve.mean)
+    drawing.line(means, colour, 3.5)
+    for spot in means:
+        drawing.dot(spot, colour, 7.0)

@@ -1,0 +1,149 @@
+"""The page of a recording of a study that says in which scenes the learners differ most."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import rerun as rr
+
+from learners import Teacher
+from studio.study.recording import entities
+from studio.study.recording.families import LEAST_PERCENT, family_figure
+from studio.study.results import Results
+from studio.style.words import counted, learner_name, number, teacher_name
+
+
+@dataclass(frozen=True)
+class SceneLink:
+    """The recording of a scene of a study.
+
+    Attributes:
+        name: what the scene is called there.
+        path: where the recording is, from the folder of the study's own recording.
+        commands: the command lines that make it again in that folder; none if only a study does.
+    """
+
+    name: str
+    path: str
+    commands: tuple[str, ...]
+
+
+Links = Mapping[int, SceneLink]
+"""Recordings by the scene's id in the bank."""
+
+
+def log_scenes(stream: rr.RecordingStream, results: Results, links: Links) -> None:
+    """Add the page of scenes, which changes with the number of pairs."""
+    for pairs in results.sizes:
+        stream.set_time(entities.TIMELINE, sequence=pairs)
+        page = scenes_page(results, links, pairs)
+        stream.log(entities.SCENES, rr.TextDocument(page, media_type=rr.MediaType.MARKDOWN))
+    stream.reset_time()
+
+
+def scenes_page(results: Results, links: Links, pairs: int) -> str:
+    """The scenes in which learners differ most, with links to the recordings there are."""
+    several = len(results.learners) > 1
+    chosen = (
+        "in which the learners' regrets differ most (or else are largest)"
+        if several
+        else "of the largest regret"
+    )
+    least = family_figure(results).scale.ticks[0]
+    return "\n".join(
+        [
+            f"# Regret by scene after {counted(pairs, 'pair')}",
+            "",
+            "A dot is a scene that was held out, its place the regret there; scenes without regret "
+            f"are in the boxes, and regrets below {number(least)} % at the left edge. The large "
+            "dot is the mean of the family over seeds, the line its 95 % interval. Rings with "
+            f"numbers, one a learner, are the scenes below: those {chosen} after "
+            f"{counted(results.sizes[-1], 'pair')}. "
+            + ("The name of a scene opens its recording." if links else ""),
+            "",
+            "All regrets, drawn and written, are in % of what a random action costs the teacher in "
+            "scenes of that family, on average.",
+            "",
+            *(
+                line
+                for teacher in results.teachers
+                for line in _teacher(results, links, teacher, pairs)
+            ),
+            "Regret is the mean over the seeds that held the scene out, so many as the tables say; "
+            "a pick is that of most of these seeds.",
+            "",
+            *_recordings(links),
+        ]
+    )
+
+
+def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> list[str]:
+    """The table of one teacher's scenes."""
+    scenes = results.telling[teacher.name]
+    lines = [f"## {teacher_name(teacher.name)} teacher", ""]
+    if not scenes:
+        return [*lines, "No learner has regret in any scene.", ""]
+    learners = " | ".join(f"{learner_name(learner)} learner" for learner in results.learners)
+    lines += [
+        f"| scene | pattern | seeds | teacher | {learners} |",
+        "|:--|:--|:--|:--|" + ":--|" * len(results.learners),
+    ]
+    for place, scene in enumerate(scenes, start=1):
+        told, link = results.scenes[scene], links.get(scene)
+        name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
+        cells = [
+            f"{place}: {name}",
+            told.pattern,
+            f"{_runs(results, teacher, scene)} of {results.seeds}",
+            told.best[teacher.name],
+            *(_pick(results, teacher, learner, scene, pairs) for learner in results.learners),
+        ]
+        lines.append(f"| {' | '.join(cells)} |")
+    return [*lines, ""]
+
+
+def _pick(results: Results, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
+    """What a learner picks in a scene, and the regret."""
+    regrets = results.scene_regrets(teacher, learner, pairs)
+    if regrets is None or scene not in regrets.scenes:
+        return "–"
+    at = int(np.flatnonzero(regrets.scenes == scene)[0])
+    family = results.scenes[scene].family
+    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    if percent <= 0.0:
+        return f"{regrets.picks[at]}, 0 %"
+    if percent < LEAST_PERCENT:
+        return f"{regrets.picks[at]}, < {number(LEAST_PERCENT)} %"
+    return f"{regrets.picks[at]}, {percent:.{0 if percent >= 10.0 else 1}f} %"
+
+
+def _runs(results: Results, teacher: Teacher, scene: int) -> int:
+    """How many seeds held a scene out."""
+    return max(
+        int(each.runs[each.scenes == scene].sum())
+        for learner in results.learners
+        for pairs in results.sizes
+        if (each := results.scene_regrets(teacher, learner, pairs)) is not None
+    )
+
+
+def _recordings(links: Links) -> list[str]:
+    """What the links open, and what to do where they do not."""
+    if not links:
+        return [
+            "These scenes have no recordings: the outcome bank does not say how to make them "
+            "again, or was made by other versions."
+        ]
+    commands = [line for link in links.values() for line in link.commands]
+    return [
+        "## The recordings",
+        "",
+        "They show all futures of a scene under every action, and what the teachers make of them. "
+        "The arrow at the top of the viewer leads back here.",
+        "",
+        "Links start from this recording's folder, where `studio view` opens the viewer. If a "
+        "link is dead, open this recording by `studio view`, or make the scene's again in that "
+        "folder" + (":" if commands else " by `studio learn`."),
+        "",
+        *(["```sh", *commands, "```"] if commands else []),
+    ]

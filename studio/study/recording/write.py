@@ -1,0 +1,169 @@
+"""Write what a study found, how learners come to know their teachers, as a Rerun recording.
+
+`recordings/README.md` is the reference of what a recording holds; `SCHEMA_VERSION` counts its
+editions.
+"""
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import rerun as rr
+import tomli_w
+from numpy.typing import NDArray
+
+from learners import Teacher
+from studio.recorder.drawing import log_ground
+from studio.recorder.stream import recording_to
+from studio.scene.recording.write import log_text, package_versions
+from studio.study.recording import entities
+from studio.study.recording.blueprint import learning_blueprint
+from studio.study.recording.calibration import log_calibration
+from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, log_curve_figure
+from studio.study.recording.families import log_families, log_family_numbers
+from studio.study.recording.minds import log_minds
+from studio.study.recording.pages import about_page, command, summary_page, teacher_page
+from studio.study.recording.scenes import Links, log_scenes
+from studio.study.results import CURVE_COLUMNS, Results
+
+SCHEMA_VERSION = 2
+"""Edition of the layout that `recordings/README.md` describes."""
+
+Property = str | float | int | bool
+
+NAMED = ("teacher", "learner", "pairs")
+"""Columns that the place of a row in the recording tells."""
+
+
+def write_learning_recording(
+    path: Path,
+    table: pa.Table,
+    teachers: Sequence[Teacher],
+    properties: Mapping[str, Property],
+    links: Links | None = None,
+) -> None:
+    """Write a recording of a study.
+
+    Args:
+        path: the `.rrd` file to write.
+        table: what came of the study, one row a fit, see `learners.STUDY_SCHEMA`.
+        teachers: who was learned from.
+        properties: what else the recording shall say about itself, kept as its property
+            `settings`; `outcomes`, the bank, goes into the command that makes it again.
+        links: recordings of scenes of the study that there are, to be linked to.
+
+    Raises:
+        OSError: if the file cannot be written.
+    """
+    results, settings = Results(table, tuple(teachers)), dict(properties)
+    versions = package_versions()
+    identity, blueprint = _identity(results, settings), learning_blueprint(results)
+    with recording_to(path, entities.APPLICATION, identity, blueprint) as stream:
+        stream.set_log_tick_enabled(False)
+        log_properties(stream, results, settings, versions)
+        log_ground(stream, entities.GROUND)
+        # screens count y downwards, figures count it upwards
+        stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+        for teacher in results.teachers:
+            for kind in (REGRET, AGREEMENT, LIKELIHOOD):
+                log_curve_figure(stream, results, teacher, kind)
+            log_minds(stream, results, teacher)
+            log_calibration(stream, results, teacher)
+            log_numbers(stream, results, teacher)
+            log_page(stream, results, teacher)
+            if results.scenes:
+                log_families(stream, results, teacher)
+                log_family_numbers(stream, results, teacher)
+        if results.scenes:
+            log_scenes(stream, results, links or {})
+        log_text(stream, entities.SUMMARY, summary_page(results))
+        log_text(stream, entities.ABOUT, about_page(results, settings, versions))
+
+
+def log_properties(
+    stream: rr.RecordingStream,
+    results: Results,
+    settings: dict[str, Any],
+    versions: dict[str, str],
+) -> None:
+    """Name the recording and say what is needed to make it again."""
+    stream.send_recording_name(
+        f"learning from {', '.join(teacher.name for teacher in results.teachers)}"
+    )
+    teachers = {teacher.name: teacher.description() for teacher in results.teachers}
+    stream.send_property(
+        "study",
+        rr.AnyValues(
+            schema_version=SCHEMA_VERSION,
+            command=command(results, settings),
+            teachers=tomli_w.dumps(teachers),
+            learners=list(results.learners),
+            pairs=list(results.sizes),
+            seeds=results.seeds,
+            study=json.dumps(results.study, sort_keys=True),
+            versions=tomli_w.dumps(versions),
+        ),
+    )
+    if settings:
+        stream.send_property("settings", rr.AnyValues(**settings))
+
+
+def log_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+    """Keep the numbers of every fit, and of the curves their mean, std and interval."""
+    for learner in results.learners:
+        for pairs in results.sizes:
+            runs = results.runs(teacher, learner, pairs)
+            if not runs["seed"]:
+                continue
+            stream.set_time(entities.TIMELINE, sequence=pairs)
+            fits: dict[str, Any] = {}
+            for column, rows in runs.items():
+                if column not in NAMED and rows[0] is not None:
+                    fits[column] = np.concatenate([_numbers(column, row) for row in rows])
+            stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
+            spreads: dict[str, Any] = {}
+            for column in CURVE_COLUMNS:
+                curve = results.curve(column, teacher, learner)
+                if curve is not None and pairs in curve.pairs:
+                    at = int(np.flatnonzero(curve.pairs == pairs)[0])
+                    sides = [curve.mean[at], curve.std[at], curve.low[at], curve.high[at]]
+                    spreads[column] = np.array(sides).ravel()
+            stream.log(entities.curves(teacher.name, learner), rr.AnyValues(**spreads))
+    stream.reset_time()
+
+
+def log_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+    """Add the page that says what was learned so far."""
+    for pairs in results.sizes:
+        stream.set_time(entities.TIMELINE, sequence=pairs)
+        page = teacher_page(results, teacher, pairs)
+        stream.log(
+            entities.page(teacher.name),
+            rr.TextDocument(page, media_type=rr.MediaType.MARKDOWN),
+        )
+    stream.reset_time()
+
+
+_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")
+
+
+def _numbers(column: str, given: Any) -> NDArray[Any]:
+    """What one row has in a column, as one array; nothing (null) is not a number."""
+    if isinstance(given, bool) or column == "scene_picks":
+        return np.atleast_1d(given)
+    return np.atleast_1d(np.array(given, dtype=np.int64 if column in _WHOLE else np.float64))
+
+
+def _identity(results: Results, settings: dict[str, Any]) -> str:
+    """An id that is the same for the same study: opened twice, it is one recording."""
+    made_of = (
+        [teacher.description() for teacher in results.teachers],
+        results.study,
+        results.table.to_pylist(),
+        sorted(settings.items()),
+    )
+    return f"learning-{hashlib.sha256(repr(made_of).encode()).hexdigest()[:12]}"

@@ -1,0 +1,1 @@
+"""What recordings, pictures and texts share: colours, words and round numbers."""

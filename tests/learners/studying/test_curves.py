@@ -1,0 +1,88 @@
+import numpy as np
+import pyarrow as pa
+import pytest
+
+from learners import InputError, compare_learners, learning_curves
+from learners.studying.curves import mean_interval
+
+ROWS = [
+    {
+        "teacher": teacher,
+        "learner": learner,
+        "pairs": pairs,
+        "seed": seed,
+        "regret_percent": 100.0 / pairs + seed + (learner == "eu") * 2.0,
+        "alpha": None if learner == "eu" else 0.9,
+        "theta_unit": [1.0 * seed, 2.0],
+        "converged": True,
+    }
+    for teacher in ("tk", "eu")
+    for learner in ("eu", "cpt")
+    for pairs in (100, 25)
+    for seed in range(4)
+]
+
+
+@pytest.fixture
+def table():
+    return pa.Table.from_pylist(ROWS)
+
+
+def test_curves_are_means_over_seeds_in_order(table):
+    curves = learning_curves(table)
+    assert [(c.teacher, c.learner) for c in curves] == [
+        ("tk", "eu"),
+        ("tk", "cpt"),
+        ("eu", "eu"),
+        ("eu", "cpt"),
+    ]
+    one = curves[1]
+    assert one.pairs.tolist() == [25, 100]
+    assert one.runs.tolist() == [4, 4]
+    assert one.mean.tolist() == [5.5, 2.5]
+    np.testing.assert_allclose(one.std, np.std(range(4), ddof=1))
+    assert (one.low < one.mean).all()
+    assert (one.mean < one.high).all()
+
+
+def test_lists_and_missing_and_logical_columns(table):
+    assert learning_curves(table, "theta_unit")[0].mean.tolist() == [[1.5, 2.0], [1.5, 2.0]]
+    assert [c.learner for c in learning_curves(table, "alpha")] == ["cpt", "cpt"]
+    assert learning_curves(table, "converged")[0].mean.tolist() == [1.0, 1.0]
+
+
+def test_a_single_seed_has_no_spread():
+    curve = learning_curves(pa.Table.from_pylist(ROWS[:1]))[0]
+    assert (curve.std, curve.low, curve.high) == (0.0, curve.mean, curve.mean)
+
+
+def test_comparison_is_paired(table):
+    for comparison in compare_learners(table):
+        assert comparison.difference.tolist() == [-2.0, -2.0]
+        assert comparison.low.tolist() == comparison.high.tolist() == [-2.0, -2.0]
+        assert comparison.ratio.tolist() == pytest.approx([5.5 / 7.5, 2.5 / 4.5])
+
+
+def test_comparison_uses_the_seeds_that_both_have(table):
+    fewer = pa.Table.from_pylist(
+        [row for row in ROWS if not (row["learner"] == "eu" and row["seed"] > 1)]
+    )
+    assert compare_learners(fewer)[0].runs.tolist() == [2, 2]
+
+
+def test_intervals_hold_the_mean_about_as_often_as_they_say():
+    random = np.random.default_rng(0)
+    holds = [
+        low <= 0.0 <= high
+        for low, high in (mean_interval(random.normal(size=20)) for _ in range(200))
+    ]
+    assert 0.87 < np.mean(holds) < 0.99
+
+
+def test_what_cannot_be_averaged_is_refused(table):
+    with pytest.raises(InputError, match="column 'speed' is not allowed: teacher, learner"):
+        learning_curves(table, "speed")
+    with pytest.raises(InputError, match="column 'teacher' of string is not allowed"):
+        learning_curves(table, "teacher")
+    with pytest.raises(InputError, match="learner 'deep' is not allowed: eu, cpt"):
+        compare_learners(table, "deep")

@@ -1,0 +1,310 @@
+import itertools
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from studio.errors import InputError
+from studio.painter.canvas import Box, Canvas, View, disc_coverage
+from studio.painter.labels import Label, distance, place
+from studio.painter.plots import Axis, draw_icons
+from studio.style.palette import (
+    ACTION_COLOURS,
+    LEARNER_COLOURS,
+    LIGHT,
+    OTHER_LEARNERS,
+    TEACHER_COLOURS,
+    THEMES,
+    Theme,
+    contrast,
+)
+from studio.style.ticks import round_range, ticks
+from studio.style.words import number
+
+WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
+
+
+def a_canvas(width=640, height=360):
+    return Canvas(width, height, LIGHT)
+
+
+def ink(canvas):
+    """How much was drawn, in black pixels."""
+    return (255.0 - canvas.pixels.mean(axis=-1)).sum() / 255.0
+
+
+@pytest.mark.parametrize("size", [(639, 360), (640, 359), (10_000, 900), (0, 0)])
+def test_sizes_that_cannot_be_drawn_are_refused_in_one_line(size):
+    with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not allowed") as e:
+        Canvas(*size, LIGHT)
+    assert "\n" not in str(e.value)
+
+
+@pytest.mark.parametrize("radius", [1.5, 4.0, 25.0])
+def test_a_disc_covers_its_area_wherever_its_centre_lies_in_a_pixel(radius):
+    for x, y in itertools.product((100.0, 100.3, 100.7), repeat=2):
+        canvas = a_canvas()
+        canvas.disc((x, y), radius, BLACK)
+        assert ink(canvas) == pytest.approx(math.pi * radius**2, rel=0.06)
+        rows, columns = np.nonzero(canvas.pixels[..., 0] < 255)
+        weights = 255.0 - canvas.pixels[rows, columns, 0]
+        assert np.average(columns + 0.5, weights=weights) == pytest.approx(x, abs=0.1)
+        assert np.average(rows + 0.5, weights=weights) == pytest.approx(y, abs=0.1)
+
+
+def test_a_disc_half_outside_or_far_away_harms_nothing():
+    canvas = a_canvas()
+    canvas.disc((0.0, 180.0), 20.0, BLACK)
+    assert ink(canvas) == pytest.approx(math.pi * 20.0**2 / 2, rel=0.05)
+    for far in ((-1e9, 5.0), (1e30, 5.0), (5.0, 1e9)):
+        canvas.disc(far, 20.0, RED)
+        canvas.line([(0.0, 0.0), far], WHITE)
+    assert not (canvas.pixels == RED).all(axis=-1).any()
+
+
+def test_lines_are_drawn_between_pixels():
+    thin, shifted = a_canvas(), a_canvas()
+    thin.line([(50.0, 100.5), (250.0, 100.5)], BLACK)
+    shifted.line([(50.0, 101.0), (250.0, 101.0)], BLACK)
+    assert (thin.pixels[100, 60:240] < 30).all()
+    assert (shifted.pixels[100:102, 60:240] > 30).all()
+    assert (shifted.pixels[100:102, 60:240] < 225).all()
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 50])
+def test_overlapping_faint_paths_grow_darker_as_if_laid_on_one_another(count):
+    canvas = a_canvas()
+    path = np.array([[50.0, 100.5], [250.0, 100.5]])
+    canvas.faint_paths([path] * count, BLACK, 5.0, 0.08)
+    expected = 255.0 * (1.0 - 0.08) ** count
+    assert canvas.pixels[100, 150, 0] == pytest.approx(expected, abs=1.5)
+
+
+def test_a_path_that_runs_back_over_itself_counts_once():
+    canvas = a_canvas()
+    there_and_back = np.array([[50.0, 100.5], [250.0, 100.5], [50.0, 100.5]])
+    canvas.faint_paths([there_and_back], BLACK, 5.0, 0.5)
+    assert canvas.pixels[100, 150, 0] == pytest.approx(127.5, abs=1.5)
+
+
+def test_paths_outside_of_the_page_leave_it_empty():
+    canvas = a_canvas()
+    canvas.faint_paths([np.array([[-500.0, -500.0], [-100.0, -9e9]])], BLACK, 5.0, 0.5)
+    assert ink(canvas) == 0.0
+
+
+@pytest.mark.parametrize("anchor", ["left", "centre", "right"])
+@pytest.mark.parametrize("line", ["base", "middle", "top", "bottom"])
+def test_letters_lie_inside_the_box_that_the_canvas_records(anchor, line):
+    canvas = a_canvas()
+    box = canvas.text((320.0, 180.0), "Apqgfdlb 0.25 m", 24, BLACK, anchor=anchor, line=line)
+    assert canvas.texts[-1].box == box
+    rows, columns = np.nonzero(canvas.pixels[..., 0] < 200)
+    assert box.left - 1 <= columns.min()
+    assert columns.max() <= box.right
+    assert box.top - 0.15 * 24 <= rows.min()
+    assert rows.max() <= box.bottom + 0.1 * 24
+
+
+def test_centred_text_is_centred_on_its_ink():
+    canvas = a_canvas()
+    canvas.text((320.0, 180.0), "HOH", 40, BLACK, anchor="centre")
+    rows, columns = np.nonzero(canvas.pixels[..., 0] < 128)
+    assert (columns.min() + columns.max() + 1) / 2 == pytest.approx(320.0, abs=1.5)
+    assert (rows.min() + rows.max() + 1) / 2 == pytest.approx(180.0, abs=1.5)
+
+
+def test_text_by_its_top_never_reaches_above_it():
+    canvas = a_canvas()
+    for y in np.arange(100.0, 101.0, 0.1):
+        assert canvas.text((10.0, y), "text", 13, BLACK, line="top").top >= y
+        assert canvas.text((10.0, y), "text", 13, BLACK, line="bottom").bottom <= y
+
+
+def test_text_is_cut_only_where_no_wording_fits():
+    canvas = a_canvas()
+    assert canvas.fitted(["a long wording", "short"], 1000.0, 16) == "a long wording"
+    assert canvas.fitted(["a long wording", "short"], 60.0, 16) == "short"
+    cut = canvas.fitted(["a long wording", "shorter"], 30.0, 16)
+    assert cut.endswith("…")
+    assert cut.startswith("sh")
+    assert canvas.fitted("anything", 2.0, 16) == ""
+
+
+def test_names_are_cut_in_the_middle():
+    canvas = a_canvas()
+    name = "a long name of an action, number 7"
+    assert canvas.abbreviated(name, 1000.0, 16) == name
+    cut = canvas.abbreviated(name, 120.0, 16)
+    assert cut.startswith("a long")
+    assert cut.endswith("r 7")
+    assert "…" in cut
+    assert canvas.measure(cut, 16) <= 120.0
+    assert canvas.abbreviated(name, 2.0, 16) == ""
+
+
+def test_letters_that_the_face_lacks_become_boxes_and_no_others():
+    canvas = a_canvas()
+    canvas.text((10.0, 50.0), "e\u0301 λ ? − ทา 🤖 走", 16, BLACK)
+    assert canvas.texts[-1].text == "é λ ? − □□ □ 走"
+
+
+def test_line_breaks_in_names_do_not_break_lines():
+    canvas = a_canvas()
+    canvas.text((10.0, 50.0), "one\ntwo\tthree", 16, BLACK)
+    assert canvas.texts[-1].text == "one two three"
+    assert (canvas.pixels[60:] == 255).all()
+
+
+def test_nothing_is_drawn_outside_of_a_clip():
+    canvas = a_canvas()
+    part = canvas.clipped(Box(100.0, 100.0, 200.0, 200.0))
+    part.disc((100.0, 150.0), 30.0, BLACK)
+    part.line([(0.0, 110.0), (640.0, 110.0)], BLACK, 3.0)
+    part.faint_paths([np.array([[0.0, 190.0], [640.0, 190.0]])], BLACK, 3.0, 0.9)
+    part.text((90.0, 170.0), "across the edge of the clip", 16, BLACK)
+    assert ink(part) > 1000.0
+    assert ink(canvas) == ink(part)
+    assert canvas.pixels[110, 150, 0] == 0  # the same coordinates in both
+
+
+def test_a_copy_is_a_page_of_its_own():
+    canvas = a_canvas()
+    copy = canvas.copy()
+    copy.text((10.0, 50.0), "only here", 16, BLACK)
+    assert ink(canvas) == 0.0
+    assert not canvas.texts
+
+
+def test_type_stays_legible_on_the_smallest_page_and_grows_with_the_largest():
+    small, large = a_canvas().type, Canvas(3840, 2160, LIGHT).type
+    assert small.small >= 8
+    assert large.small > 4 * small.small
+    for scale in (small, large):
+        assert scale.small <= scale.body <= scale.heading < scale.title
+
+
+@given(
+    x=st.floats(-500, 500),
+    y=st.floats(-500, 500),
+    width=st.floats(0.5, 60),
+    height=st.floats(0.5, 60),
+)
+def test_a_view_shows_its_bounds_with_equal_scales_and_y_up(x, y, width, height):
+    box = Box(10.0, 20.0, 410.0, 220.0)
+    view = View.around((x, y, x + width, y + height), box)
+    corners = view.to_pixels([(x, y), (x + width, y + height)])
+    across, down = corners[1] - corners[0]
+    assert across == pytest.approx(width * view.scale)
+    assert down == pytest.approx(-height * view.scale)
+    assert (corners >= (box.left - 1e-6, box.top - 1e-6)).all()
+    assert (corners <= (box.right + 1e-6, box.bottom + 1e-6)).all()
+    x0, y0, x1, y1 = view.bounds
+    assert view.to_pixels([(x0, y1), (x1, y0)]).ravel() == pytest.approx(
+        [box.left, box.top, box.right, box.bottom], abs=1e-6
+    )
+
+
+def test_boxes_cut_into_columns_and_rows_share_the_room():
+    left, right = Box(0.0, 0.0, 110.0, 50.0).columns((1, 3), 10.0)
+    assert (left.right, right.left, right.right) == (25.0, 35.0, 110.0)
+    top, bottom = Box(0.0, 0.0, 110.0, 50.0).rows((1, 1), 10.0)
+    assert (top.bottom, bottom.top, bottom.bottom) == (20.0, 30.0, 50.0)
+
+
+def test_the_coverage_of_a_disc_sums_to_its_area():
+    assert disc_coverage(10.2, 9.6, 5.0, 20, 20).sum() == pytest.approx(math.pi * 25, rel=0.01)
+
+
+def a_label(canvas, near, text="label", direction=(1.0, 0.0)):
+    return Label(text, 16, 400, BLACK, near, 8.0, direction)
+
+
+def test_labels_lie_near_their_things_apart_from_one_another_and_off_the_ink():
+    canvas = a_canvas()
+    canvas.fill(Box(310.0, 100.0, 640.0, 260.0), BLACK)
+    labels = [a_label(canvas, (300.0, 180.0 + 3 * shift), f"label {shift}") for shift in range(6)]
+    places = place(labels, canvas, canvas.box, WHITE)
+    for first, second in itertools.combinations(places, 2):
+        assert not first.overlaps(second)
+    for label, box in zip(labels, places, strict=True):
+        assert distance(box, label.near) < 130.0
+        assert canvas.clipped(box).pixels.min() == 255
+
+
+def test_labels_keep_off_the_points_that_are_to_be_seen():
+    canvas = a_canvas()
+    label, seen = a_label(canvas, (300.0, 180.0)), np.array([[320.0, 180.0]])
+    (covering,) = place([label], canvas, canvas.box, WHITE)
+    (aside,) = place([label], canvas, canvas.box, WHITE, seen)
+    assert distance(covering, (320.0, 180.0)) == 0.0
+    assert distance(aside, (320.0, 180.0)) > 0.0
+
+
+def test_a_label_lies_where_its_thing_points_to_if_that_is_free():
+    canvas = a_canvas()
+    (right,) = place([a_label(canvas, (300.0, 180.0))], canvas, canvas.box, WHITE)
+    (up,) = place([a_label(canvas, (300.0, 180.0), "up", (0.0, -1.0))], canvas, canvas.box, WHITE)
+    assert right.left > 300.0
+    assert up.bottom < 180.0
+
+
+def test_a_label_that_finds_no_room_is_left_out():
+    canvas = a_canvas()
+    assert place([a_label(canvas, (5.0, 5.0))], canvas, Box(0, 0, 20, 20), WHITE) == [None]
+
+
+@given(low=st.floats(-1e4, 1e4), length=st.floats(1e-3, 1e4))
+def test_axes_end_at_round_values_around_the_data(low, length):
+    start, end = round_range(low, low + length)
+    assert start <= low + 1e-6 * length
+    assert end >= low + length * (1 - 1e-6)
+    assert end - start <= 1.5 * length
+    marks = ticks(start, end, 4)
+    assert 1 <= len(marks) <= 6
+    assert all(start - 1e-6 * length <= mark <= end + 1e-6 * length for mark in marks)
+
+
+def test_numbers_are_short_and_have_a_true_minus_sign():
+    assert [number(value) for value in (0.0, 0.5, -2.0)] == ["0", "0.5", "−2"]
+
+
+def test_values_off_an_axis_lie_at_its_end():
+    axis = Axis(0.0, 2.0, 100.0, 200.0)
+    assert [axis.at(value) for value in (-1.0, 0.0, 1.0, 5.0)] == [100.0, 100.0, 150.0, 200.0]
+
+
+def test_an_icon_array_has_one_dot_a_rollout_and_the_touched_ones_in_red():
+    canvas = a_canvas()
+    draw_icons(canvas, Box(0.0, 0.0, 300.0, 150.0), 12, 50, (0, 0, 200))
+    reds = (canvas.pixels == (213, 43, 30)).all(axis=-1)
+    blues = (canvas.pixels == (0, 0, 200)).all(axis=-1)
+    assert reds.sum() / (reds.sum() + blues.sum()) == pytest.approx(12 / 50, abs=0.01)
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_colour_can_be_made_text_that_is_read_on_its_ground(theme: Theme):
+    given = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values(), theme.contact]
+    for colour in given:
+        assert contrast(theme.legible(colour), theme.ground) >= 4.5
+    assert theme.legible(theme.ink) == theme.ink
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_colour_stands_out_from_its_ground(theme: Theme):
+    named = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values()]
+    for colour in (*named, *OTHER_LEARNERS, theme.contact, theme.wall, theme.pedestrian):
+        assert contrast(colour, theme.panel) >= 2.1
+
+
+def test_an_action_has_its_colour_whichever_others_are_shown():
+    whole = LIGHT.of(["forward", "stop", "turn_left"])
+    assert whole.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[2]
+    assert LIGHT.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[0]
+
+
+def test_contrast_is_that_of_the_guidelines():
+    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
+    assert contrast((119, 119, 119), (255, 255, 255)) == pytest.approx(4.48, abs=0.01)
