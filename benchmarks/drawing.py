@@ -118,7 +118,7 @@ class Ghosts(SceneVisualizer):
 
 def peer(rollouts: Rollouts, ghosts: bool, folder: Path) -> Pace:
     """How fast pysocialforce animates the first action."""
-    steps = np.linspace(0.0, rollouts.robot.shape[2] - 1, PEER_FRAMES)
+    steps = np.linspace(0.0, rollouts.steps, PEER_FRAMES)
     robots, people = (
         np.stack([between(values, step) for step in steps])
         for values in (rollouts.robot[0, ..., :2], rollouts.pedestrians[0])
@@ -169,7 +169,7 @@ def main() -> None:
     """Print each figure beside what is wanted."""
     rollouts = simulate(load_scene("doorway", seed=0), META_ACTIONS, rollouts=50, seed=0)
     judgements = judge(rollouts)
-    count = rollouts.robot.shape[1]
+    count = rollouts.count
     print(
         f"doorway: {len(rollouts.scene.pedestrians)} pedestrians, {count} rollouts of "
         f"{len(rollouts.actions)} actions; {SIZE[0]}x{SIZE[1]}; {os.cpu_count()} processors"

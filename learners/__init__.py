@@ -13,7 +13,13 @@ from learners.judging.parameters import PROFILES, REWARD, CptLike, CptParameters
 from learners.judging.teachers import BETA, TEACHERS, Teacher, find_teachers
 from learners.judging.values import decision_weights, expected_utility, prospect_value, value
 from learners.judging.weighting import Weighting, weight
-from learners.studying.curves import Comparison, Curve, compare_learners, learning_curves
+from learners.studying.curves import (
+    Curve,
+    PairedDifference,
+    Spread,
+    learning_curves,
+    paired_differences,
+)
 from learners.studying.evaluation import Calibration, Evaluation, evaluate
 from learners.studying.regrets import (
     SceneRegrets,
@@ -26,6 +32,7 @@ from learners.studying.regrets import (
 )
 from learners.studying.split import Split, split_scenes
 from learners.studying.study import (
+    PARAMETER_COLUMNS,
     STUDY_SCHEMA,
     Study,
     Task,
@@ -40,12 +47,12 @@ __all__ = [
     "BETA",
     "FEATURES",
     "LEARNERS",
+    "PARAMETER_COLUMNS",
     "PROFILES",
     "REWARD",
     "STUDY_SCHEMA",
     "TEACHERS",
     "Calibration",
-    "Comparison",
     "CptLearner",
     "CptLike",
     "CptParameters",
@@ -55,6 +62,7 @@ __all__ = [
     "Fit",
     "InputError",
     "Learner",
+    "PairedDifference",
     "Pairs",
     "Precision",
     "Preferences",
@@ -62,6 +70,7 @@ __all__ = [
     "Prospects",
     "SceneRegrets",
     "Split",
+    "Spread",
     "Study",
     "StudyScene",
     "Task",
@@ -70,7 +79,6 @@ __all__ = [
     "all_pairs",
     "ask",
     "attainable_precision",
-    "compare_learners",
     "decision_weights",
     "evaluate",
     "expected_utility",
@@ -81,6 +89,7 @@ __all__ = [
     "fit_many",
     "learning_curves",
     "missing_tasks",
+    "paired_differences",
     "prospect_value",
     "read_bank",
     "read_preferences",

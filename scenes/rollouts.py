@@ -75,9 +75,30 @@ class Rollouts:
     contact_step: NDArray[np.int64]
 
     @property
+    def count(self) -> int:
+        """How many rollouts there are of each action, K."""
+        return int(self.robot.shape[1])
+
+    @property
+    def steps(self) -> int:
+        """How many steps a rollout has, T."""
+        return int(self.robot.shape[2]) - 1
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the A actions, in the order of axis A."""
+        return tuple(action.name for action in self.actions)
+
+    @property
+    def touched(self) -> NDArray[np.bool_]:
+        """[A, K]: whether the robot ever touches a pedestrian or a wall."""
+        touched: NDArray[np.bool_] = self.contact_step >= 0
+        return touched
+
+    @property
     def horizon(self) -> float:
         """Simulated time, s."""
-        return float((self.robot.shape[2] - 1) * self.dt)
+        return float(self.steps * self.dt)
 
 
 def simulate(

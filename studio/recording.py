@@ -185,7 +185,7 @@ def compose_moving(recording: Recording, size: Size, look: Look, excerpt: Excerp
             return compose_film(rollouts, shown.judgements, size, rate, theme, span)
         case ComparisonRecording():
             _refuse_actions(excerpt, "a comparison")
-            span = _span(excerpt, 1, recording.comparison.rollouts.robot.shape[1])
+            span = _span(excerpt, 1, recording.comparison.rollouts.count)
             return compose_comparison_film(recording.comparison, size, rate, theme, span)
         case StudyRecording():
             shown_study = _between(recording, excerpt)
@@ -197,7 +197,7 @@ def _theme(recording: Recording, look: Look) -> Theme:
     theme = THEMES[look.theme]
     match recording:
         case SceneRecording():
-            return theme.of(action.name for action in recording.rollouts.actions)
+            return theme.of(recording.rollouts.names)
         case ComparisonRecording() | StudyRecording():
             return theme
 
@@ -206,7 +206,7 @@ def _with_actions(recording: SceneRecording, names: tuple[str, ...]) -> SceneRec
     """The recording as if these were all of its actions."""
     if not names:
         return recording
-    known = [action.name for action in recording.rollouts.actions]
+    known = recording.rollouts.names
     rollouts = only(recording.rollouts, names)
     places = [known.index(name) for name in names]
     judgements = tuple(

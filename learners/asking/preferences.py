@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.judging.teachers import Teacher
 from learners.seeds import Stream, generator
 
-FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 

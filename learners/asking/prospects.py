@@ -9,9 +9,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.errors import InputError
 
-FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")

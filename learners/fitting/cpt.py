@@ -3,8 +3,8 @@
 from dataclasses import astuple, dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import ENOUGH, Optimum, minimise
@@ -19,8 +19,6 @@ from learners.fitting.likelihood import Prior
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.parameters import CptParameters
 from learners.judging.teachers import BETA
-
-FloatArray = NDArray[np.float64]
 
 PARAMETER_DEVIATION = (0.5, 0.5, 1.0, 0.5, 0.5)
 """Standard deviations of the priors of ln α, ln η, ln λ, ln γ, ln δ, around 0.

@@ -21,12 +21,10 @@ nothing, some mixture of gradients nearby is as good as zero.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.fitting.likelihood import Choices, Model, Prior, Survey, survey
 from learners.fitting.simplex import lowest_mixture
-
-FloatArray = NDArray[np.float64]
 
 ENOUGH = 1e-4
 """A fit has converged when the model promises to lower the objective by no more, in nats."""

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import Optimum, minimise
@@ -16,8 +16,6 @@ from learners.fitting.fits import (
 )
 from learners.fitting.likelihood import Choices, Prior
 from learners.judging.teachers import BETA
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
@@ -20,8 +20,6 @@ from learners.fitting.likelihood import Choices
 from learners.judging.parameters import CptParameters
 from learners.judging.teachers import BETA, check_beta
 from learners.judging.values import expected_utility, prospect_value
-
-FloatArray = NDArray[np.float64]
 
 REWARD_DEVIATION = 1.0
 """Standard deviation of the prior of each number of θ, around 0.

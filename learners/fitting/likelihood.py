@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from learners.arrays import FloatArray
 
 Model = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """From parameters z [M] to the values [P] of prospects and their slopes [P, M]."""

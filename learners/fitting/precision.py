@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import all_pairs
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
@@ -13,8 +13,6 @@ from learners.fitting.fits import REWARD_DEVIATION
 from learners.fitting.likelihood import Choices, Prior, survey
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.teachers import Teacher
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,8 @@
 """A small quadratic programme: the best mixture of a few things."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from learners.arrays import FloatArray
 
 _TOLERANCE = 1e-10
 

@@ -13,12 +13,10 @@ result is the same bits whatever stands beside it and however many processors th
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.judging.parameters import CptParameters
 from learners.judging.values import SMOOTHING
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
 """What makes one person's judgement of risk differ from another's."""
 
 import math
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass
 from numbers import Real
-from typing import Protocol, TypeVar
+from typing import ClassVar, Protocol, TypeVar
 
 from learners.errors import InputError
 
@@ -62,6 +62,14 @@ class CptParameters:
     loss_aversion: float
     gamma: float
     delta: float
+
+    SYMBOLS: ClassVar[tuple[str, ...]] = ("α", "η", "λ", "γ", "δ")
+    """What the parameters are called in formulas, in the order of the fields."""
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """α, η, λ, γ, δ, in the order of `SYMBOLS`."""
+        return astuple(self)
 
     def __post_init__(self) -> None:
         for name, given in asdict(self).items():

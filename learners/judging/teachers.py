@@ -4,14 +4,12 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.errors import InputError
 from learners.judging.parameters import PROFILES, REWARD, CptParameters
 from learners.judging.values import prospect_value
 from learners.judging.weighting import Weighting, curvature
-
-FloatArray = NDArray[np.float64]
 
 BETA = 20.0
 """Inverse temperature of choices: how decided people are, per unit of value."""

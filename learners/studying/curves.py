@@ -13,14 +13,32 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.errors import InputError
 from learners.seeds import Stream, generator
-
-FloatArray = NDArray[np.float64]
 
 RESAMPLES = 10_000
 
 COVERAGE = 0.95
+
+
+@dataclass(frozen=True)
+class Spread:
+    """What the seeds say of one column at one number of pairs.
+
+    Attributes:
+        runs: how many seeds there are.
+        mean: mean over seeds; an array [D] for a column of lists, and so are the others.
+        std: standard deviation over seeds; 0 for a single seed.
+        low: lower end of the 95 % interval of the mean.
+        high: upper end.
+    """
+
+    runs: int
+    mean: Any
+    std: Any
+    low: Any
+    high: Any
 
 
 @dataclass(frozen=True)
@@ -49,9 +67,16 @@ class Curve:
     low: FloatArray
     high: FloatArray
 
+    def at(self, pairs: int) -> Spread | None:
+        """What the curve says at this number of pairs; None if nobody learned from so many."""
+        for place in np.flatnonzero(self.pairs == pairs):
+            sides = (each[place] for each in (self.mean, self.std, self.low, self.high))
+            return Spread(int(self.runs[place]), *sides)
+        return None
+
 
 @dataclass(frozen=True)
-class Comparison:
+class PairedDifference:
     """How much lower or higher one learner's column is than another's, seed by seed.
 
     Attributes:
@@ -124,9 +149,9 @@ def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Cur
     return curves
 
 
-def compare_learners(
+def paired_differences(
     table: pa.Table, learner: str = "cpt", baseline: str = "eu", column: str = "regret_percent"
-) -> list[Comparison]:
+) -> list[PairedDifference]:
     """Compare two learners, paired by seed: both were asked the same questions.
 
     Args:
@@ -163,7 +188,7 @@ def compare_learners(
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.where(means[:, 1] != 0.0, means[:, 0] / means[:, 1], np.nan)
         comparisons.append(
-            Comparison(
+            PairedDifference(
                 teacher,
                 learner,
                 baseline,

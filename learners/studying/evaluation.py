@@ -5,10 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import all_pairs, first_probability
 from learners.judging.teachers import BETA
-
-FloatArray = NDArray[np.float64]
 
 CALIBRATION_BINS = 10
 """Into how many equal parts predicted probabilities, 0 to 1, are sorted."""

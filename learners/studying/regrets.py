@@ -15,11 +15,11 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.studying.curves import Curve, learning_curves
 
-FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 METADATA = b"prospect_study"

@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
+from learners.arrays import FloatArray
 from learners.asking.preferences import answer, sample_pairs
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
@@ -30,8 +30,6 @@ from learners.studying.evaluation import evaluate
 from learners.studying.regrets import METADATA, described_scenes
 from learners.studying.split import HELD_OUT, split_scenes
 
-FloatArray = NDArray[np.float64]
-
 SIZES = (25, 50, 100, 200, 500, 1000, 2000)
 """Numbers of pairs to learn from."""
 
@@ -39,6 +37,9 @@ SIZES = (25, 50, 100, 200, 500, 1000, 2000)
 _NUMBERS = pa.list_(pa.field("element", pa.float64()))
 _COUNTS = pa.list_(pa.field("element", pa.int64()))
 _NAMES = pa.list_(pa.field("element", pa.string()))
+
+PARAMETER_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
+"""Columns of the parameters of prospect theory, in the order of `CptParameters.SYMBOLS`."""
 
 STUDY_SCHEMA = pa.schema(
     [
@@ -309,14 +310,10 @@ def _row(study: Study, truths: dict[str, FloatArray], task: Task) -> dict[str, A
 
 
 def _learnt(fit: Fit) -> dict[str, Any]:
-    people = fit.parameters
+    numbers = fit.parameters.numbers if fit.parameters else [None] * len(PARAMETER_COLUMNS)
     return {
         "theta": fit.theta.tolist(),
-        "alpha": people and people.alpha,
-        "eta": people and people.eta,
-        "lambda": people and people.loss_aversion,
-        "gamma": people and people.gamma,
-        "delta": people and people.delta,
+        **dict(zip(PARAMETER_COLUMNS, numbers, strict=True)),
         "reference": fit.reference,
         "theta_unit": fit.unit_theta.tolist(),
         "nll_training": fit.nll,

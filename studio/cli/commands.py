@@ -468,7 +468,7 @@ def _print_recorded(recorded: Recorded) -> None:
     heads = "".join(f"{'V ' + judgement.teacher:>10} " for judgement in judgements)
     click.echo(f"{'action':<16}{'contact':>10} {heads}")
     for index, action in enumerate(rollouts.actions):
-        touched = int((rollouts.contact_step[index] >= 0).sum())
+        touched = int(rollouts.touched[index].sum())
         values = "".join(
             f"{judgement.values[index]:>10.3f}{'*' if judgement.best == index else ' '}"
             for judgement in judgements
@@ -485,7 +485,7 @@ def _print_compared(compared: Compared) -> None:
     rollouts = compared.comparison.rollouts
     tries = rollouts.features.shape[1]
     for index, (side, action) in enumerate(zip(SIDES, rollouts.actions, strict=True)):
-        touched = int((rollouts.contact_step[index] >= 0).sum())
+        touched = int(rollouts.touched[index].sum())
         click.echo(f"{side}  {action.name:<16}{touched} of {tries} with contact")
     for file in compared.files:
         click.echo(f"{file}  {_size(file)}")

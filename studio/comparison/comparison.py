@@ -85,11 +85,11 @@ def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparis
     Raises:
         InputError: if there is no such action, both are the same, or the seed is not allowed.
     """
-    check_two(one, other, [action.name for action in rollouts.actions])
+    check_two(one, other, rollouts.names)
     if not 0 <= seed <= LARGEST_SEED:
         raise InputError(f"seed: {seed} is not allowed: 0 to {LARGEST_SEED}")
     sides = only(rollouts, _shuffled(sorted((one, other)), seed))
-    return Comparison(sides, tuple(action.name for action in rollouts.actions), seed)
+    return Comparison(sides, rollouts.names, seed)
 
 
 def _shuffled(names: list[str], seed: int) -> list[str]:

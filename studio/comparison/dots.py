@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenes import Rollouts
-from studio.scene.judgements import FloatArray
+from studio.arrays import FloatArray
 from studio.style.ticks import round_range
 
 BINS = 24

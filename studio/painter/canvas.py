@@ -20,11 +20,10 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
 from studio.style.palette import Colour, Theme
 
-FloatArray = NDArray[np.float64]
-PixelArray = NDArray[np.uint8]
 Point = tuple[float, float]
 
 REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900

@@ -25,8 +25,8 @@ from av.codec.context import Flags
 from av.filter import Graph
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc
 
+from studio.arrays import PixelArray
 from studio.errors import InputError
-from studio.painter.canvas import PixelArray
 
 Progress = Callable[[int, int], None]
 """Told how many frames are done, and of how many."""

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike
 
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.arrays import FloatArray
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.style.palette import Colour
 from studio.style.words import number
 

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from studio.painter.canvas import Box, Canvas, FloatArray, Point
+from studio.arrays import FloatArray
+from studio.painter.canvas import Box, Canvas, Point
 from studio.style.palette import Colour
 
 _DIRECTIONS = 24

@@ -5,13 +5,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from studio.painter.canvas import Box, Canvas, FloatArray
+from studio.arrays import BoolArray, FloatArray
+from studio.painter.canvas import Box, Canvas
 from studio.style.palette import Colour
 from studio.style.words import number
-
-BoolArray = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)

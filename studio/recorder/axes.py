@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from studio.arrays import FloatArray
 from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
-from studio.scene.judgements import FloatArray
 from studio.style.palette import LIGHT, Colour
 from studio.style.words import number
 

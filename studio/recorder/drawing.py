@@ -11,7 +11,7 @@ import numpy as np
 import rerun as rr
 from numpy.typing import ArrayLike
 
-from studio.scene.judgements import FloatArray
+from studio.arrays import FloatArray
 from studio.style.palette import LIGHT, Colour
 
 GROUND_REACH = 3000.0

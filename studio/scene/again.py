@@ -24,7 +24,7 @@ def simulation_options(rollouts: Rollouts) -> str | None:
     if not is_usual:
         return None
     options = ["--scene", f"{rollouts.scene.name}.toml", "--seed", str(rollouts.seed)]
-    options += ["--rollouts", str(rollouts.robot.shape[1]), "--horizon", f"{rollouts.horizon:g}"]
+    options += ["--rollouts", str(rollouts.count), "--horizon", f"{rollouts.horizon:g}"]
     options += ["--model", rollouts.model, "--engine", rollouts.engine]
     for field in fields(Noise):
         given = getattr(rollouts.noise, field.name)

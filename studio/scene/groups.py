@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.scene.judgements import FloatArray
+from studio.arrays import FloatArray
 
 
 def shortest_links(places: FloatArray) -> NDArray[np.int64]:

@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from learners import PROFILES, REWARD, CptParameters, prospect_value
 from scenes import Rollouts
-
-FloatArray = NDArray[np.float64]
+from studio.arrays import FloatArray
 
 
 @dataclass(frozen=True)

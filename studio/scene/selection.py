@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from scenes import Rollouts
-from scenes.geometry import FloatArray
+from studio.arrays import FloatArray
 from studio.errors import InputError
 
 _BY_ACTION = (
@@ -27,7 +27,7 @@ def only(rollouts: Rollouts, names: Sequence[str]) -> Rollouts:
     Raises:
         InputError: if no name is given, one is given twice, or there is no such action.
     """
-    known = [action.name for action in rollouts.actions]
+    known = rollouts.names
     if not names:
         raise InputError(f"actions: none given, at least one is needed: {', '.join(known)}")
     for name in names:

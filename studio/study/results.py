@@ -24,7 +24,7 @@ from learners import (
     telling_scenes,
 )
 from learners.studying.regrets import METADATA
-from studio.scene.judgements import FloatArray
+from studio.arrays import FloatArray
 
 CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
 """Columns of the five parameters, empty for learners of expected utility."""

@@ -229,7 +229,7 @@ def test_rows_are_read_in_order_of_time_whatever_their_order_in_the_file(
     recording: Path, rollouts: Rollouts
 ) -> None:
     contents = read_contents(recording)
-    entity = f"/{entities.robots(rollouts.actions[0].name)}"
+    entity = f"/{entities.robots(rollouts.names[0])}"
     [batch] = [b for b in contents.batches[entity] if "step" in b.schema.names]
     half = batch.num_rows // 2
     swapped = replace(contents, batches={entity: [batch.slice(half), batch.slice(0, half)]})

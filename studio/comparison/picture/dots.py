@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from studio.arrays import BoolArray
 from studio.comparison.dots import BINS, DOT_RADIUS, DotScale, IconGrid, Measure
 from studio.painter.canvas import Box, Canvas
-from studio.painter.plots import Axis, BoolArray, draw_ticks
+from studio.painter.plots import Axis, draw_ticks
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from studio.arrays import FloatArray, PixelArray
 from studio.comparison.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
 from studio.comparison.picture.page import Page, Show, compose_comparison_picture, lay_out
 from studio.errors import InputError
-from studio.painter.canvas import Canvas, FloatArray, PixelArray
+from studio.painter.canvas import Canvas
 from studio.painter.encode import Segment
 from studio.style.palette import LIGHT, Theme
 from studio.style.words import counted
@@ -45,7 +46,7 @@ def compose_comparison_film(
         InputError: if the size is not allowed, or there are no such outcomes.
     """
     page = lay_out(comparison, size, theme)
-    count = comparison.rollouts.robot.shape[1]
+    count = comparison.rollouts.count
     pace = Pace.of(count, frames_per_second)
     first, last = span or (1, count)
     turns = [turn for turn in range(pace.turns) if first <= pace.shown(turn) + 1 <= last]
@@ -109,7 +110,7 @@ class Pace:
 
 def rest(page: Page) -> Canvas:
     """Draw both scenes before anything happens."""
-    show, count = Show(page), page.comparison.rollouts.robot.shape[1]
+    show, count = Show(page), page.comparison.rollouts.count
     show.keep(0)
     show.write([f"{counted(count, 'outcome')} of each action, one at a time", ""])
     show.draw_at_rest()
@@ -124,10 +125,10 @@ def play(page: Page, pace: Pace, turns: range) -> Iterator[Canvas]:
     """
     show, rollouts = Show(page), page.comparison.rollouts
     show.keep(pace.shown(turns.start))
-    last = rollouts.robot.shape[2] - 1
+    last = rollouts.steps
     moving: FloatArray = np.linspace(0.0, last, pace.moving + 1)[1:-1]
     speed = f"{float(f'{pace.times_real(rollouts.horizon):.2g}'):g}× real time"
-    red = " · red: contact" if (rollouts.contact_step >= 0).any() else ""
+    red = " · red: contact" if rollouts.touched.any() else ""
     for turn in turns:
         outcome = pace.shown(turn)
         told = f"Outcome {outcome + 1} of {pace.count}"

@@ -55,7 +55,7 @@ def compose_comparison_picture(
     """
     page = lay_out(comparison, size, theme)
     show = Show(page)
-    show.keep(comparison.rollouts.robot.shape[1])
+    show.keep(comparison.rollouts.count)
     show.write(legends(page))
     show.draw_at_rest()
     return show.canvas
@@ -119,7 +119,7 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     scene_bottom = icons_top - line - 10 * unit
 
     views, icons, counts = [], [], []
-    count = rollouts.robot.shape[1]
+    count = rollouts.count
     room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
@@ -145,7 +145,7 @@ def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
     title = canvas.fitted(QUESTION, page.width, kind.title, SEMIBOLD)
     at = (page.left, page.top)
     box = canvas.text(at, title, kind.title, canvas.theme.ink, SEMIBOLD, line="top")
-    name, count = rollouts.scene.name, rollouts.robot.shape[1]
+    name, count = rollouts.scene.name, rollouts.count
     outcomes = f"{counted(count, 'outcome')} of each, the next {rollouts.horizon:g} s"
     luck = "same people and same luck on both sides"
     told = [f"{name} · {outcomes} · {luck}", f"{outcomes} · {luck}", outcomes]
@@ -158,7 +158,7 @@ def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
 
 def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     """Name a side and its action."""
-    kind, theme, name = canvas.type, canvas.theme, rollouts.actions[side].name
+    kind, theme, name = canvas.type, canvas.theme, rollouts.names[side]
     colour = theme.action_colour(name)
     tall = 1.5 * kind.heading
     badge = Box(box.left, box.top, box.left + tall, box.top + tall)
@@ -206,7 +206,7 @@ def legends(page: Page) -> list[str]:
     people = ["grey: people and their paths"] if rollouts.scene.pedestrians else []
     told_apart = all(has_dots(plot.scale) for plot in page.plots)
     dots = ["a dot: one outcome"] if told_apart else []
-    contact = ["red: contact"] if (rollouts.contact_step >= 0).any() else []
+    contact = ["red: contact"] if rollouts.touched.any() else []
     return [
         " · ".join(parts)
         for parts in (
@@ -232,8 +232,8 @@ class Show:
         self._page = page
         rollouts = page.comparison.rollouts
         theme = self.canvas.theme
-        self._contact = rollouts.contact_step >= 0  # (2, K)
-        self._colours = [theme.action_colour(action.name) for action in rollouts.actions]
+        self._contact = rollouts.touched  # (2, K)
+        self._colours = [theme.action_colour(name) for name in rollouts.names]
         self._scenes = [
             OutcomeScene(self.canvas.clipped(view.box), view, rollouts, side)
             for side, view in enumerate(page.views)

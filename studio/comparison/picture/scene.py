@@ -12,7 +12,8 @@ import cv2
 import numpy as np
 
 from scenes import Rollouts
-from studio.painter.canvas import Canvas, FloatArray, View, tinted
+from studio.arrays import FloatArray
+from studio.painter.canvas import Canvas, View, tinted
 from studio.scene.picture.crowd import between
 from studio.scene.picture.stage import (
     draw_contacts,
@@ -37,7 +38,7 @@ class OutcomeScene:
 
     def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, side: int) -> None:
         self._canvas, self._view, self._scene = canvas, view, rollouts.scene
-        self._colour = canvas.theme.action_colour(rollouts.actions[side].name)
+        self._colour = canvas.theme.action_colour(rollouts.names[side])
         self._poses = rollouts.robot[side]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[side]

@@ -10,12 +10,12 @@ import rerun as rr
 from numpy.typing import NDArray
 
 from scenes import Rollouts
+from studio.arrays import FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, measures
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
-from studio.scene.judgements import FloatArray
 from studio.scene.recording import entities
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks
@@ -39,9 +39,9 @@ PLAYING_HEIGHT, COUNT_HEIGHT = 0.33, 0.29
 
 def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
     """Draw the axes of one side, and let its dots gather."""
-    path = entities.dots(rollouts.actions[side].name)
-    colour = theme.action_colour(rollouts.actions[side].name)
-    contact = rollouts.contact_step[side] >= 0
+    path = entities.dots(rollouts.names[side])
+    colour = theme.action_colour(rollouts.names[side])
+    contact = rollouts.touched[side]
     grid = IconGrid.fit(ICONS_WIDTH, ICONS_HEIGHT, len(contact), ICON_PITCH)
     icons = np.array([0.0, ICONS_TOP]) + grid.places() * (1.0, -1.0)
     radius = DOT_RADIUS * grid.pitch

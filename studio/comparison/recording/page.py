@@ -14,7 +14,7 @@ from studio.style.words import counted, number
 def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -> str:
     """What one sees in a comparison, what came of it, and how it was made."""
     rollouts, scene = comparison.rollouts, comparison.rollouts.scene
-    count = rollouts.robot.shape[1]
+    count = rollouts.count
     sides = [
         f"* **{side}**: {action.name}, {number(action.speed)} m/s, {number(action.turn_rate)} rad/s"
         for side, action in zip(SIDES, rollouts.actions, strict=True)

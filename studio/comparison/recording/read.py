@@ -32,7 +32,7 @@ def read_comparison(contents: Contents) -> ComparisonRecording:
     scene = read_scene(contents)
     actions = tuple(contents.static(entities.COMPARED, "actions").tolist())
     sides = tuple(contents.text(entities.COMPARED, side) for side in ("left", "right"))
-    if sides != tuple(action.name for action in scene.rollouts.actions) or set(sides) - {*actions}:
+    if sides != scene.rollouts.names or set(sides) - {*actions}:
         raise contents.damaged(f"it compares {sides[0]!r} with {sides[1]!r}")
     seed = int(contents.static(entities.COMPARED, "seed")[0])
     return ComparisonRecording(Comparison(scene.rollouts, actions, seed), scene.judgements)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.arrays import FloatArray
 from studio.comparison.comparison import ENDING, MOVING, OPENING, seconds_each
-from studio.scene.judgements import FloatArray
 from studio.scene.recording import entities
 from studio.scene.recording.world import (
     CONTACT_CLASS,
@@ -45,9 +45,9 @@ def log_moving_robot(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Show the robot with an arrowhead, and the way that it has come in this outcome."""
-    path = entities.story(rollouts.actions[side].name)
-    colour = theme.action_colour(rollouts.actions[side].name)
-    count, steps, when = rollouts.robot.shape[1], shown_steps(rollouts), moments(rollouts)
+    path = entities.story(rollouts.names[side])
+    colour = theme.action_colour(rollouts.names[side])
+    count, steps, when = rollouts.count, shown_steps(rollouts), moments(rollouts)
     robot = rollouts.scene.robot
     rest = np.array([*robot.start, robot.start_heading])
     poses = with_rest(rollouts.robot[side, :, steps].swapaxes(0, 1).reshape(-1, 3), rest)
@@ -90,7 +90,7 @@ def log_moving_people(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Show the people, and bars that join those of a group."""
-    path = f"{entities.story(rollouts.actions[side].name)}/pedestrians"
+    path = f"{entities.story(rollouts.names[side])}/pedestrians"
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
     places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
     style = rr.Points2D.from_fields(
@@ -116,7 +116,7 @@ def log_gathering_paths(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Leave the path of each outcome behind when it ends, with a red cross if there was contact."""
-    name, last = rollouts.actions[side].name, rollouts.robot.shape[2] - 1
+    name, last = rollouts.names[side], rollouts.steps
     corners = np.unique([*range(0, last, PATH_STRIDE), last])
     robot, contact_step = rounded(rollouts.robot[side, ..., :2]), rollouts.contact_step[side]
     faint = blend(theme.action_colour(name), theme.panel, 0.45)
@@ -137,7 +137,7 @@ def log_gathering_paths(
 
 def shown_steps(rollouts: Rollouts) -> NDArray[np.int64]:
     """The steps of an outcome that are shown: all, or as many as there are poses."""
-    last = rollouts.robot.shape[2] - 1
+    last = rollouts.steps
     return np.unique(np.rint(np.linspace(0, last, min(last, POSES) + 1)).astype(np.int64))
 
 
@@ -146,7 +146,7 @@ def moments(rollouts: Rollouts) -> rr.TimeColumn:
 
     The second time nothing happens any more; it keeps the end in view for a while.
     """
-    count, last = rollouts.robot.shape[1], rollouts.robot.shape[2] - 1
+    count, last = rollouts.count, rollouts.steps
     each = seconds_each(count)
     shares = MOVING * shown_steps(rollouts) / last
     playing = OPENING + each * (np.arange(count)[:, None] + shares)

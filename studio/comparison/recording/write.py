@@ -86,7 +86,7 @@ def comparison_blueprint(comparison: Comparison) -> rrb.Blueprint:
 def story_side(comparison: Comparison, side: int) -> rrb.Container:
     """One side's outcomes, one at a time, and their dots below."""
     rollouts = comparison.rollouts
-    name, count = rollouts.actions[side].name, rollouts.robot.shape[1]
+    name, count = rollouts.names[side], rollouts.count
     story, dots = entities.story(name), entities.dots(name)
     fixed = [entities.GRID, entities.WALLS, entities.TASK]
     world = drawn_view(
@@ -106,7 +106,7 @@ def story_side(comparison: Comparison, side: int) -> rrb.Container:
 def whole_side(comparison: Comparison, side: int) -> rrb.View:
     """All outcomes of one side at once."""
     rollouts = comparison.rollouts
-    name = rollouts.actions[side].name
+    name = rollouts.names[side]
     title = f"{SIDES[side]}: {short(name)}, all at once; they move along the timeline sim_time"
     return world_view(
         [f"{entities.action(name)}/**"], bounds_of_shape(rollouts, *VIEW_SHAPE), title

@@ -7,7 +7,8 @@ import numpy as np
 
 from learners import PROFILES, REWARD
 from scenes import FEATURES, Rollouts
-from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray
+from studio.arrays import FloatArray
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas
 from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks, icon_pitch, signed
 from studio.scene.judgements import Judgement
 from studio.scene.picture.titles import display_name
@@ -176,7 +177,7 @@ class ActionTable:
         self._head(canvas, column, "Action", "", canvas.theme.ink)
         for index, row in enumerate(self._rows(column)):
             middle = row.centre[1]
-            name = rollouts.actions[index].name
+            name = rollouts.names[index]
             colour = canvas.theme.action_colour(name)
             canvas.disc((row.left + 6 * unit, middle), 6 * unit, colour)
             left = row.left + 20 * unit
@@ -199,8 +200,8 @@ class ActionTable:
         below = "one dot a rollout" if icon_pitch(icons[0], count) else "share of rollouts"
         self._head(canvas, column, "Contact", below, canvas.theme.ink)
         for index, box in enumerate(icons):
-            touched = int((rollouts.contact_step[index] >= 0).sum())
-            colour = canvas.theme.action_colour(rollouts.actions[index].name)
+            touched = int(rollouts.touched[index].sum())
+            colour = canvas.theme.action_colour(rollouts.names[index])
             faint = blend(colour, canvas.theme.ground, 0.45)
             drawn = draw_icons(canvas, box, touched, count, faint)
             canvas.text(
@@ -222,8 +223,8 @@ class ActionTable:
         for index, row in enumerate(rows):
             plot = Box(row.left, row.top + 0.14 * row.height, row.right, row.bottom - 1)
             values = measure.values[index]
-            touched = rollouts.contact_step[index] >= 0
-            colour = canvas.theme.action_colour(rollouts.actions[index].name)
+            touched = rollouts.touched[index]
+            colour = canvas.theme.action_colour(rollouts.names[index])
             draw_histogram(canvas, plot, axis, values, measure.edges, colour, touched)
         draw_ticks(canvas, axis, rows[-1].bottom + 8 * unit, measure.ticks)
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.painter.canvas import Canvas, FloatArray, PixelArray, View, disc_coverage, tinted
+from studio.arrays import FloatArray, PixelArray
+from studio.painter.canvas import Canvas, View, disc_coverage, tinted
 from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 
@@ -29,7 +30,7 @@ class Crowd:
 
     def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, index: int) -> None:
         self._canvas, self._view, self._scene = canvas, view, rollouts.scene
-        self._colour = canvas.theme.action_colour(rollouts.actions[index].name)
+        self._colour = canvas.theme.action_colour(rollouts.names[index])
         self._poses = rollouts.robot[index]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[index]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[index]

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import Rollouts
+from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray, PixelArray, View
+from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
 from studio.painter.encode import Segment
 from studio.painter.labels import draw_labels
 from studio.scene.judgements import Judgement
@@ -138,7 +139,7 @@ class Page:
 
 def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
     """Draw what all frames share; arguments and errors as for `compose_film`."""
-    canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
+    canvas = Canvas(*size, theme.of(rollouts.names))
     kind, unit = canvas.type, canvas.unit
     page = canvas.page
     title = canvas.fitted(titles(rollouts), page.width, kind.heading, SEMIBOLD)
@@ -206,7 +207,7 @@ def play(page: Page, rollouts: Rollouts, index: int, times: FloatArray) -> Itera
 def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, time: float) -> None:
     """Write the time, and what it has to do with real time, below the scene."""
     canvas.restore(still, box)
-    size, count = canvas.type.small, rollouts.robot.shape[1]
+    size, count = canvas.type.small, rollouts.count
     clock = canvas.text(
         (box.left, box.centre[1]),
         f"{time:.1f} s of {rollouts.horizon:g} s",
@@ -217,7 +218,7 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     left = box.left + 9.5 * canvas.type.body
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
-    red = "red: contact" if (rollouts.contact_step >= 0).any() else ""
+    red = "red: contact" if rollouts.touched.any() else ""
     texts = [
         " · ".join(part for part in parts if part)
         for parts in ((speed, told, red), (speed, told), (speed,))
@@ -233,14 +234,14 @@ class _Strip:
     def __init__(
         self, canvas: Canvas, cells: Sequence[Box], rollouts: Rollouts, index: int
     ) -> None:
-        colours = [canvas.theme.action_colour(action.name) for action in rollouts.actions]
+        colours = [canvas.theme.action_colour(name) for name in rollouts.names]
         self._canvas, self._cell, self._colour = canvas, cells[index], colours[index]
-        kind, count = canvas.type, rollouts.robot.shape[1]
+        kind, count = canvas.type, rollouts.count
         for action, (cell, colour) in enumerate(zip(cells, colours, strict=True)):
             self._draw_bar(cell, canvas.theme.grid, 1.0)
             if action < index:
                 self._draw_bar(cell, colour, 1.0)
-            name = display_name(rollouts.actions[action].name)
+            name = display_name(rollouts.names[action])
             ink = canvas.theme.legible(colour) if action <= index else canvas.theme.faint
             canvas.text(
                 (cell.left, cell.top + 1.2 * kind.body),
@@ -250,7 +251,7 @@ class _Strip:
                 SEMIBOLD,
             )
             if action < index:
-                touched = int((rollouts.contact_step[action] >= 0).sum())
+                touched = int(rollouts.touched[action].sum())
                 told = [f"{touched} of {count} contact", f"{touched} of {count}", f"{touched}"]
                 canvas.text(
                     (cell.left, cell.top + 2.4 * kind.body),

@@ -43,7 +43,7 @@ def compose_picture(
     Raises:
         InputError: if the size is not allowed.
     """
-    canvas = Canvas(*size, theme.of(action.name for action in rollouts.actions))
+    canvas = Canvas(*size, theme.of(rollouts.names))
     unit, page = canvas.unit, canvas.page
     heading = draw_heading(canvas, page, titles(rollouts), subtitles(rollouts), page.width)
     body_top = heading.bottom + 16 * unit

@@ -5,7 +5,8 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.arrays import FloatArray
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
 from studio.scene.picture.crowd import between
 from studio.scene.picture.titles import display_name
@@ -22,10 +23,10 @@ class Side:
     def __init__(self, canvas: Canvas, box: Box, rollouts: Rollouts, index: int) -> None:
         self._canvas, self._colour = (
             canvas,
-            canvas.theme.action_colour(rollouts.actions[index].name),
+            canvas.theme.action_colour(rollouts.names[index]),
         )
         self._contact_step = rollouts.contact_step[index]
-        self._last = rollouts.robot.shape[2] - 1
+        self._last = rollouts.steps
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         name = canvas.fitted(display_name(action.name), box.width, kind.title, SEMIBOLD)
         title = canvas.text(

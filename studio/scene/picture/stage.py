@@ -6,7 +6,8 @@ import numpy as np
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
-from studio.painter.canvas import REGULAR, Box, Canvas, FloatArray, Point, View
+from studio.arrays import FloatArray
+from studio.painter.canvas import REGULAR, Box, Canvas, Point, View
 from studio.painter.labels import Label
 from studio.scene.framing import bounds_of_shape
 from studio.scene.groups import shortest_links

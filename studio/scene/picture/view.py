@@ -7,7 +7,8 @@ import numpy as np
 
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
-from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, FloatArray, Point, View
+from studio.arrays import FloatArray
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, Point, View
 from studio.painter.labels import Label, draw_labels
 from studio.scene.judgements import Judgement
 from studio.scene.picture.stage import (
@@ -45,11 +46,11 @@ def draw_scene(
     panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
     view = view_of(rollouts, panel)
     inside = canvas.clipped(panel)
-    count = rollouts.robot.shape[1]
+    count = rollouts.count
     opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
 
     theme = canvas.theme
-    colours = [theme.action_colour(action.name) for action in rollouts.actions]
+    colours = [theme.action_colour(name) for name in rollouts.names]
     draw_ground(inside, view)
     grey = blend(theme.pedestrian, theme.panel, 0.8)
     people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
@@ -109,7 +110,7 @@ def _scene_labels(
     ]
     for index in sorted(named):
         path = medians[index]
-        name = rollouts.actions[index].name
+        name = rollouts.names[index]
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
@@ -133,7 +134,7 @@ def _captions(rollouts: Rollouts) -> list[str]:
     if scene.pedestrians:
         people, paths = ["grey: people"], ["grey: people and their paths without the robot"]
     groups = ["joined: groups"] if scene.groups else []
-    contact = (rollouts.contact_step >= 0).any()
+    contact = rollouts.touched.any()
     first, red = (["red: first contact"], ["red: contact"]) if contact else ([], [])
     every, brief = "Thin: every rollout · bold: median", "Thin: rollouts · bold: median"
     return [

@@ -45,9 +45,9 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
 
 def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
     """All actions in one world, what came of them, and what the teachers make of it."""
-    names = [action.name for action in rollouts.actions]
+    names = rollouts.names
     contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
-    count = rollouts.robot.shape[1]
+    count = rollouts.count
     title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
     return rrb.Horizontal(
         rrb.Vertical(
@@ -67,8 +67,8 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
 
 def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
     """One action: its world, and how its outcomes are distributed."""
-    name, count = rollouts.actions[index].name, rollouts.robot.shape[1]
-    contacts = int((rollouts.contact_step[index] >= 0).sum())
+    name, count = rollouts.names[index], rollouts.count
+    contacts = int(rollouts.touched[index].sum())
     title = f"{name}: {counted(count, 'future')}, {contacts} with contact (grid of 1 m)"
     return rrb.Vertical(
         world_view([f"{entities.action(name)}/**"], bounds, title),
@@ -89,7 +89,7 @@ def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
         comparison_view(rollouts, teachers),
         figure_view(
             entities.PROSPECTS,
-            prospects_bounds(tuple(action.name for action in rollouts.actions)),
+            prospects_bounds(rollouts.names),
             "Outcomes from the worst to the best. Dots: utility; marks at the right: certainty "
             "equivalents (the sure utility that a teacher would take instead). Below: how much "
             "each outcome counts",
@@ -101,7 +101,7 @@ def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
 
 def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     """How the teachers weigh probabilities, value gains and losses, and rank the actions."""
-    names = tuple(action.name for action in rollouts.actions)
+    names = rollouts.names
     return rrb.Vertical(
         drawn_view(
             [

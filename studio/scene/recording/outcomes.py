@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.arrays import FloatArray
 from studio.recorder.axes import round_ticks
 from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
 from studio.scene.framing import Bounds
-from studio.scene.judgements import FloatArray, Judgement
+from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded, time_columns
 from studio.style.palette import LIGHT, Colour, Theme, blend
@@ -74,9 +75,9 @@ def log_clearance(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) 
     stream.log(
         entities.CLEARANCE,
         rr.SeriesLines(
-            colors=[theme.action_colour(action.name) for action in rollouts.actions],
+            colors=[theme.action_colour(name) for name in rollouts.names],
             widths=2.0,
-            names=[short(action.name) for action in rollouts.actions],
+            names=[short(name) for name in rollouts.names],
         ),
         static=True,
     )
@@ -86,7 +87,7 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
     """Draw a figure an action: a histogram a feature, and clearance over time."""
     values = measures(rollouts)
     edges = {title: bin_edges(title, each) for title, each in values.items()}
-    has_contact = rollouts.contact_step >= 0
+    has_contact = rollouts.touched
     if rollouts.scene.pedestrians:
         gap_quantiles = np.quantile(gaps(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1), m
     for index, action in enumerate(rollouts.actions):
@@ -200,8 +201,8 @@ def log_comparison(
     a large one the median of a feature or the value to a teacher, who picks the action with the
     black ring.
     """
-    drawing, count = Drawing(lift=0.1), rollouts.robot.shape[1]
-    colours = [theme.action_colour(action.name) for action in rollouts.actions]
+    drawing, count = Drawing(lift=0.1), rollouts.count
+    colours = [theme.action_colour(name) for name in rollouts.names]
     row_height = comparison_row_height(len(colours))
     rows = -row_height * (np.arange(len(colours), dtype=np.float64) + 0.5)
     # the dots of a row are spread upwards evenly, so that they do not hide one another
@@ -335,4 +336,4 @@ def comparison_row_height(actions: int) -> float:
 
 def name_room(rollouts: Rollouts) -> float:
     """How much room the names of the actions take beside the comparison."""
-    return 0.3 + LETTER_WIDTH * max(len(short(action.name)) for action in rollouts.actions)
+    return 0.3 + LETTER_WIDTH * max(len(short(name)) for name in rollouts.names)

@@ -26,7 +26,7 @@ WAYS_OF_JUDGING = {
 
 def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
     """What to look at first: the actions in a table, and which one each teacher picks."""
-    scene, count = rollouts.scene, rollouts.robot.shape[1]
+    scene, count = rollouts.scene, rollouts.count
     picks = [
         f"**{teacher_name(judgement.teacher)}** picks {_link(rollouts, judgement.best)}"
         for judgement in judgements
@@ -83,8 +83,8 @@ def about_page(
     versions: Mapping[str, str],
 ) -> str:
     """Everything there is to know about a recording."""
-    scene, count = rollouts.scene, rollouts.robot.shape[1]
-    steps = rollouts.robot.shape[2] - 1
+    scene, count = rollouts.scene, rollouts.count
+    steps = rollouts.steps
     actions = [
         f"| {_link(rollouts, index)} | {number(action.speed)} | {number(action.turn_rate)} |"
         for index, action in enumerate(rollouts.actions)
@@ -188,8 +188,8 @@ def about_page(
 
 def outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
     """One row an action: contacts, gap, progress, and its value to every teacher."""
-    count = rollouts.robot.shape[1]
-    contacts = (rollouts.contact_step >= 0).sum(axis=1)
+    count = rollouts.count
+    contacts = rollouts.touched.sum(axis=1)
     gap = np.median(rollouts.clearance_m, axis=1)
     progress = rollouts.progress_m.mean(axis=1)
     values = " | ".join(teacher_name(judgement.teacher) for judgement in judgements)
@@ -240,7 +240,7 @@ def _minds(judgements: tuple[Judgement, ...]) -> str:
 
 
 def _link(rollouts: Rollouts, index: int) -> str:
-    name = rollouts.actions[index].name
+    name = rollouts.names[index]
     # Markdown ends a link at a space unless it is in angle brackets, and eats backslashes
     target = entities.action(name).replace("\\", "\\\\")
     shown = re.sub(r"([\\|\[\]*_`<])", r"\\\1", short(name))

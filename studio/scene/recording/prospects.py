@@ -5,10 +5,11 @@ import rerun as rr
 
 from learners import CptParameters, decision_weights
 from scenes import Rollouts
+from studio.arrays import FloatArray
 from studio.recorder.axes import Scale, linear, round_ticks
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
 from studio.scene.framing import Bounds
-from studio.scene.judgements import FloatArray, Judgement, utilities
+from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded
 from studio.style.palette import LIGHT, Theme, teacher_colour
@@ -55,7 +56,7 @@ def log_prospects(
     drawing = Drawing(lift=0.09, resolution=PAGE_RESOLUTION)
     draw_levels(drawing, actions, utility_scale, UTILITY_BOTTOM, UTILITY_HEIGHT)
     draw_levels(drawing, actions, weight_scale, 0.0, WEIGHT_HEIGHT)
-    names = tuple(action.name for action in rollouts.actions)
+    names = rollouts.names
     raised, colours = second_level(names), [teacher_colour(each.teacher) for each in judgements]
     for index, name in enumerate(names):
         left = index * PANEL_PITCH

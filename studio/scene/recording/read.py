@@ -9,8 +9,9 @@ import numpy as np
 from learners import PROFILES, CptParameters
 from scenes import FEATURES, Limits, MetaAction, Noise, Rollouts, scene_from_toml
 from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED
+from studio.arrays import FloatArray
 from studio.recorder.contents import Contents
-from studio.scene.judgements import FloatArray, Judgement
+from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 
 

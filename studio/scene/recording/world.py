@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.arrays import FloatArray
 from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
 from studio.scene.groups import shortest_links
-from studio.scene.judgements import FloatArray
 from studio.scene.recording import entities
 from studio.scene.recording.label_places import (
     LABEL_HEIGHT,
@@ -69,7 +69,7 @@ TimeColumns = tuple[rr.TimeColumn, ...]
 def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme) -> None:
     """Draw what does not move: metres, walls, the robot's task and names of actions."""
     # without names, which the viewer would write beside every robot where there are few
-    colours = [theme.contact, *(theme.action_colour(action.name) for action in rollouts.actions)]
+    colours = [theme.contact, *(theme.action_colour(name) for name in rollouts.names)]
     classes = [rr.AnnotationInfo(number, color=colour) for number, colour in enumerate(colours)]
     stream.log(
         entities.WORLD,
@@ -116,7 +116,7 @@ def log_labels(
     stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme
 ) -> None:
     """Write each action's name near where its paths end."""
-    labels = tuple(short(action.name) for action in rollouts.actions)
+    labels = tuple(short(name) for name in rollouts.names)
     some = rollouts.robot[:, :MOST_PATHS_BESIDE_LABELS, ::PATH_STRIDE, :2]
     drawing = Drawing(lift=metres_per_pixel(bounds) * LABEL_HEIGHT / 2.0)
     ends = rollouts.robot[:, :, -1, :2].mean(axis=1)
@@ -144,7 +144,7 @@ def log_robots(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme
     The arrowhead is a component of the robots, because an entity of its own would cost twice as
     much.
     """
-    path = entities.robots(rollouts.actions[index].name)
+    path = entities.robots(rollouts.names[index])
     robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, K, 2)
     heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).swapaxes(0, 1)  # (T+1, K)
     times, count = heading.shape
@@ -184,7 +184,7 @@ def log_pedestrians(
 
     Bars join the people of a group there.
     """
-    path = entities.pedestrians(rollouts.actions[index].name)
+    path = entities.pedestrians(rollouts.names[index])
     people = rounded(rollouts.pedestrians[index]).swapaxes(0, 1)  # (T+1, K, P, 2)
     times, count, person_count, _ = people.shape
     in_full = np.repeat(np.arange(count) == 0, person_count)
@@ -222,10 +222,10 @@ def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme:
     contact_step = rollouts.contact_step[index]
     ever = np.flatnonzero(contact_step >= 0)
     marks = crosses(robot[ever, contact_step[ever]], 0.05)
-    colour = theme.action_colour(rollouts.actions[index].name)
+    colour = theme.action_colour(rollouts.names[index])
     faint = blend(colour, theme.panel, 0.45)
     stream.log(
-        entities.paths(rollouts.actions[index].name),
+        entities.paths(rollouts.names[index]),
         rr.LineStrips2D(
             [*robot[:, corners], robot[0, corners], *marks],
             colors=[faint] * len(robot) + [colour] + [theme.contact] * len(marks),

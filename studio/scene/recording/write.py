@@ -54,7 +54,7 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
     versions = package_versions()
-    theme = LIGHT.of(action.name for action in rollouts.actions)
+    theme = LIGHT.of(rollouts.names)
     with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
         stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
         log_simulation(stream, rollouts, judgements, versions, theme)
@@ -101,7 +101,7 @@ def log_properties(
         rr.AnyValues(
             schema_version=SCHEMA_VERSION,
             seed=rollouts.seed,
-            rollouts=rollouts.robot.shape[1],
+            rollouts=rollouts.count,
             dt=rollouts.dt,
             horizon=rollouts.horizon,
             model=rollouts.model,
@@ -129,7 +129,7 @@ def log_figures(
     log_comparison(stream, rollouts, judgements, theme)
     log_prospects(stream, rollouts, judgements, theme)
     log_curves(stream, judgements)
-    log_ranks(stream, tuple(action.name for action in rollouts.actions), judgements, theme)
+    log_ranks(stream, rollouts.names, judgements, theme)
 
 
 def log_text(stream: rr.RecordingStream, path: str, markdown: str) -> None:

@@ -18,7 +18,7 @@ from matplotlib.transforms import Affine2D, Transform
 from numpy.typing import ArrayLike
 
 from learners import Curve
-from studio.painter.canvas import FloatArray
+from studio.arrays import FloatArray
 from studio.painter.frames import decades
 from studio.study.picture.results import Results
 from studio.style.palette import LIGHT, Colour

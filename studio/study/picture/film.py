@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import pyarrow as pa
 
 from learners import Teacher
-from studio.painter.canvas import PixelArray
+from studio.arrays import PixelArray
 from studio.painter.encode import Segment
 from studio.study.picture.page import SIZE, Page, draw_page, lay_out
 from studio.study.picture.results import Results

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from learners import Curve, Teacher
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, FloatArray
+from studio.arrays import FloatArray
+from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.frames import (
     LogAxis,
     band,

@@ -11,14 +11,14 @@ import pyarrow as pa
 
 from learners import (
     FEATURES,
-    Comparison,
     CptParameters,
     Curve,
+    PairedDifference,
     Teacher,
-    compare_learners,
     learning_curves,
+    paired_differences,
 )
-from studio.painter.canvas import FloatArray
+from studio.arrays import FloatArray
 from studio.style.words import counted, learner_name, number
 
 MOST_TEACHERS = 4
@@ -87,13 +87,13 @@ class Results:
         return _finite(learning_curves(self.table, "agreement")) if self.fits else []
 
     @cached_property
-    def comparisons(self) -> list[Comparison]:
+    def comparisons(self) -> list[PairedDifference]:
         """Of two learners' regrets, one a teacher; none if there is only one learner."""
         if self.whole is not None:
             return self.whole.comparisons
         if self.compared is None:
             return []
-        return compare_learners(self.table, *self.compared, "regret_percent")
+        return paired_differences(self.table, *self.compared, "regret_percent")
 
     @cached_property
     def rows(self) -> list[Row]:

@@ -6,9 +6,9 @@ import numpy as np
 import rerun as rr
 
 from learners import Teacher
+from studio.arrays import FloatArray
 from studio.recorder.axes import LIFT, Axes, draw_key, linear
 from studio.recorder.drawing import Drawing
-from studio.scene.judgements import FloatArray
 from studio.study.recording import entities
 from studio.study.results import Results, Runs
 from studio.style.palette import LIGHT, blend, learner_colour

@@ -7,6 +7,7 @@ import numpy as np
 import rerun as rr
 
 from learners import Curve, Teacher
+from studio.arrays import FloatArray
 from studio.recorder.axes import (
     KEY_STEP,
     LIFT,
@@ -18,7 +19,6 @@ from studio.recorder.axes import (
     ratio_scale,
 )
 from studio.recorder.drawing import Drawing
-from studio.scene.judgements import FloatArray
 from studio.study.recording import entities
 from studio.study.results import Results
 from studio.style.palette import LIGHT, Colour, blend, learner_colour

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from learners import BETA, FEATURES, TEACHERS, Curve, Teacher, compare_learners, unit_vector
+from learners import BETA, FEATURES, TEACHERS, Curve, Teacher, paired_differences, unit_vector
 from studio.study.recording import entities
 from studio.study.recording.calibration import CALIBRATION
 from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET
@@ -300,7 +300,7 @@ def _compared(results: Results, teacher: Teacher, best: str, worst: str, pairs: 
     names = (
         f"The {learner_name(best)} learner has less regret than the {learner_name(worst)} learner"
     )
-    for comparison in compare_learners(results.table, best, worst):
+    for comparison in paired_differences(results.table, best, worst):
         if comparison.teacher == teacher.name and pairs in comparison.pairs:
             at = int(np.flatnonzero(comparison.pairs == pairs)[0])
             less, low, high = (

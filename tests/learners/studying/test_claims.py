@@ -6,8 +6,8 @@ import pytest
 from learners import (
     TEACHERS,
     attainable_precision,
-    compare_learners,
     learning_curves,
+    paired_differences,
     read_bank,
     run_study,
 )
@@ -51,7 +51,7 @@ def at(curve, pairs, field="mean"):
 @pytest.mark.parametrize("learner", ["cpt", "cpt-tied"])
 @pytest.mark.parametrize(("teacher", "share"), [("tk", 0.5), ("strong", 0.2)])
 def test_the_matched_learner_wins_from_1000_pairs(table, teacher, share, learner):
-    comparison = next(c for c in compare_learners(table, learner) if c.teacher == teacher)
+    comparison = next(c for c in paired_differences(table, learner) if c.teacher == teacher)
     assert at(comparison, 1000, "ratio") <= share
     assert at(comparison, 1000, "high") < 0.0
 

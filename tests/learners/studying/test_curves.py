@@ -2,7 +2,7 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from learners import InputError, compare_learners, learning_curves
+from learners import InputError, learning_curves, paired_differences
 from learners.studying.curves import mean_interval
 
 ROWS = [
@@ -57,7 +57,7 @@ def test_a_single_seed_has_no_spread():
 
 
 def test_comparison_is_paired(table):
-    for comparison in compare_learners(table):
+    for comparison in paired_differences(table):
         assert comparison.difference.tolist() == [-2.0, -2.0]
         assert comparison.low.tolist() == comparison.high.tolist() == [-2.0, -2.0]
         assert comparison.ratio.tolist() == pytest.approx([5.5 / 7.5, 2.5 / 4.5])
@@ -67,7 +67,7 @@ def test_comparison_uses_the_seeds_that_both_have(table):
     fewer = pa.Table.from_pylist(
         [row for row in ROWS if not (row["learner"] == "eu" and row["seed"] > 1)]
     )
-    assert compare_learners(fewer)[0].runs.tolist() == [2, 2]
+    assert paired_differences(fewer)[0].runs.tolist() == [2, 2]
 
 
 def test_intervals_hold_the_mean_about_as_often_as_they_say():
@@ -85,4 +85,4 @@ def test_what_cannot_be_averaged_is_refused(table):
     with pytest.raises(InputError, match="column 'teacher' of string is not allowed"):
         learning_curves(table, "teacher")
     with pytest.raises(InputError, match="learner 'deep' is not allowed: eu, cpt"):
-        compare_learners(table, "deep")
+        paired_differences(table, "deep")

@@ -276,7 +276,7 @@ def test_counts_grow_as_outcomes_come_to_their_end(comparison):
     page, pace = lay_out(comparison, SIZE), Pace.of(5, 10)
     assert not any("contact" in text or "so far" in text for text in texts(rest(page)))
     told = [texts(canvas) for canvas in play(page, pace, range(5))]
-    touched = comparison.rollouts.contact_step[0] >= 0
+    touched = comparison.rollouts.touched[0]
     for outcome in range(5):
         start, end = told[outcome * pace.frames], told[(outcome + 1) * pace.frames - 1]
         assert any(text.startswith(f"Outcome {outcome + 1} of 5") for text in start)
@@ -299,7 +299,7 @@ def test_the_robot_turns_red_when_it_touches_something_and_not_before(comparison
 @pytest.mark.parametrize("size", [SIZE, (1920, 1080)])
 def test_texts_stay_apart_all_along(unusual, size):
     page = lay_out(unusual, size)
-    pace = Pace.of(unusual.rollouts.robot.shape[1], 30)
+    pace = Pace.of(unusual.rollouts.count, 30)
     check_texts(rest(page))
     last = pace.turns - 1
     for canvas in itertools.islice(play(page, pace, range(last, last + 1)), 0, None, 20):

@@ -83,7 +83,7 @@ def entities(recording):
 
 
 def names(comparison):
-    return [action.name for action in comparison.rollouts.actions]
+    return list(comparison.rollouts.names)
 
 
 def test_it_can_be_verified_and_opens_on_the_question(recording):
@@ -238,7 +238,7 @@ def test_red_dots_lie_below_the_others_at_any_time(seed, tmp_path):
             covered |= {tuple(place): red for place in contacts[outcome]}
             shown = seen | covered
             assert len(shown) == len(seen) == 3 * (outcome + 1)
-            touched = comparison.rollouts.contact_step[side, : outcome + 1] >= 0
+            touched = comparison.rollouts.touched[side, : outcome + 1]
             assert sum(colour == red for colour in shown.values()) == 3 * touched.sum()
             in_plots = [(x, y, colour == red) for (x, y), colour in shown.items() if y < 0.22]
             for x, y, is_red in in_plots:

@@ -145,7 +145,7 @@ def test_the_page_says_what_was_simulated_what_happened_and_what_it_is_worth(def
     )
     for index, action in enumerate(rollouts.actions):
         assert texts.count(action.name.replace("_", " ")) >= 2  # at its path and in the table
-        touched = (rollouts.contact_step[index] >= 0).sum()
+        touched = rollouts.touched[index].sum()
         assert f"{touched} of 6" in texts
         for judgement in judgements:
             assert f"{judgement.values[index]:.3f}".replace("-", "−") in texts

@@ -1,0 +1,9 @@
+"""The types of arrays that the studio works with."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+PixelArray = NDArray[np.uint8]
