@@ -1,54 +1,75 @@
-"""Read any recording of the studio, of this edition or an older one."""
+"""Which kinds of recordings there are, and how any of them is read back.
 
+A kind is a folder whose file `kind.py` keeps to the protocol `Kind`, and one line in `KINDS`. That
+file imports what it reads and paints with only when it reads and paints, so that a kind costs
+nothing until a recording of it is met.
+"""
+
+from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, Protocol, cast
 
-from studio.comparison.recording.read import ComparisonRecording, read_comparison
 from studio.errors import InputError
-from studio.recorder.contents import Contents, read_contents
-from studio.scene.recording import entities
-from studio.scene.recording.read import SceneRecording, read_scene
-from studio.scene.recording.write import SCHEMA_VERSION
-from studio.study.recording import entities as learning_entities
-from studio.study.recording.read import StudyRecording, read_study
-from studio.study.recording.write import SCHEMA_VERSION as STUDY_VERSION
 
-Recording = SceneRecording | ComparisonRecording | StudyRecording
+if TYPE_CHECKING:
+    from studio.recorder.contents import Contents
+    from studio.recording import Recording
+
+KINDS = {
+    "prospect_studio_scene": "studio.scene.kind",
+    "prospect_studio_comparison": "studio.comparison.kind",
+    "prospect_studio_learning": "studio.study.kind",
+}
+"""Where each kind of recording is at home, by the application id that its files bear."""
 
 
-def read_recording(path: Path) -> Recording:
-    """Read a recording.
+class Kind(Protocol):
+    """What the file `kind.py` of a kind of recording offers."""
+
+    SPAN: str
+    """What a part of such a recording is counted in, for example "s of a scene"."""
+
+    def read(self, contents: "Contents") -> "Recording":
+        """Read a recording of this kind, of this edition or an older one.
+
+        Raises:
+            InputError: if it is of a newer edition, or something is missing or contradicts itself.
+            ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
+                IndexError say.
+        """
+
+
+def find_kind(application: str) -> Kind:
+    """The kind of recording whose files bear this application id.
+
+    Raises:
+        KeyError: if there is none.
+    """
+    return cast(Kind, import_module(KINDS[application]))
+
+
+def spans() -> str:
+    """What parts of recordings are counted in, all kinds in one line."""
+    return ", ".join(find_kind(application).SPAN for application in KINDS)
+
+
+def read_recording(path: Path) -> "Recording":
+    """Read a recording of any kind.
 
     Raises:
         InputError: if the file is not a whole recording of the studio, or of a newer edition.
     """
+    from studio.recorder.contents import read_contents
+
     contents = read_contents(path)
+    if contents.application not in KINDS:
+        raise InputError(
+            f"{path}: is a recording of {contents.application!r}, not one of the studio"
+        )
     try:
-        return _read(contents)
+        return find_kind(contents.application).read(contents)
     except InputError:
         raise
     except (ValueError, TypeError, KeyError, IndexError) as error:
         # what a room refuses says what is wrong with it
         raise contents.damaged(str(error)) from None
-
-
-def _read(contents: Contents) -> Recording:
-    if contents.application == entities.APPLICATION:
-        _check_version(contents, entities.SIMULATION, SCHEMA_VERSION)
-        return read_scene(contents)
-    if contents.application == entities.COMPARISON_APPLICATION:
-        _check_version(contents, entities.SIMULATION, SCHEMA_VERSION)
-        return read_comparison(contents)
-    if contents.application == learning_entities.APPLICATION:
-        _check_version(contents, learning_entities.STUDY, STUDY_VERSION)
-        return read_study(contents)
-    raise InputError(
-        f"{contents.path}: is a recording of {contents.application!r}, not one of the studio"
-    )
-
-
-def _check_version(contents: Contents, entity: str, newest: int) -> None:
-    told = int(contents.static(entity, "schema_version")[0])
-    if not 1 <= told <= newest:
-        raise InputError(
-            f"{contents.path}: is of edition {told}: this version of the studio reads 1 to {newest}"
-        )

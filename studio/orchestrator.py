@@ -27,8 +27,7 @@ if TYPE_CHECKING:
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
     from studio.comparison.comparison import Comparison
-    from studio.kinds import Recording
-    from studio.recording import Excerpt, Look
+    from studio.recording import Excerpt, Look, Recording
     from studio.scene.judgements import Judgement
     from studio.study.recording.scenes import SceneLink
 

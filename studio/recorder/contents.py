@@ -75,6 +75,22 @@ class Contents:
                 found += batch.to_pylist()
         return sorted(found, key=lambda row: int(row[timeline]))
 
+    def check_edition(self, entity: str, newest: int) -> None:
+        """Make sure that the recording is of an edition that this version of the studio reads.
+
+        Args:
+            entity: which tells the edition, as its component `schema_version`.
+            newest: the newest edition that is read; the oldest is 1.
+
+        Raises:
+            InputError: if it is of another edition, or tells none.
+        """
+        told = int(self.static(entity, "schema_version")[0])
+        if not 1 <= told <= newest:
+            raise InputError(
+                f"{self.path}: is of edition {told}: this version of the studio reads 1 to {newest}"
+            )
+
     def damaged(self, what: str) -> InputError:
         """The error to raise where something is not as the studio writes it."""
         return InputError(f"{self.path}: is damaged, or not a recording of the studio: {what}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -66,6 +66,26 @@ def find_scene(source: Source) -> Scene:
         f"--scene: {source.scene!r} is neither a family ({', '.join(FAMILIES)}) nor a file "
         "(a scene ending in .toml, or the obsmat.txt of recorded tracks)"
     )
+
+
+def numbered_scene(family: str, pattern: str | None, seed: int, number: int) -> Scene:
+    """A generated scene under a name of its own, which none of its family shares.
+
+    Recorded, it does not replace the family's own recording.
+
+    Args:
+        family: name of the family.
+        pattern: how people meet; the family's first pattern if left out.
+        seed: of the series of scenes.
+        number: which scene of the series.
+
+    Raises:
+        InputError: if there is no such scene (`scenes.InputError`).
+    """
+    from scenes import load_scene
+
+    scene = load_scene(family, pattern, seed, number)
+    return replace(scene, name=f"{family}-{seed}-{number}")
 
 
 def is_file(name: str) -> bool:

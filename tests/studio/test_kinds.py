@@ -22,10 +22,10 @@ from studio.kinds import read_recording
 from studio.orchestrator import Studio
 from studio.recorder.contents import Contents, read_contents
 from studio.scene.judgements import Judgement, judge
+from studio.scene.kind import SceneRecording
 from studio.scene.recording import entities
-from studio.scene.recording.read import SceneRecording
 from studio.scene.recording.write import SCHEMA_VERSION, write_recording
-from studio.study.recording.read import StudyRecording
+from studio.study.kind import StudyRecording
 
 DATA = Path(__file__).parent / "data"
 ROUNDED = {"robot": 1.0 / 128.0, "pedestrians": 1.0 / 256.0, "without_robot": 1.0 / 256.0}
@@ -246,5 +246,5 @@ def test_an_edition_that_is_no_number_is_refused(
 ) -> None:
     batch = pa.record_batch({"schema_version": pa.array([told], pa.list_(pa.string()))})
     odd = Contents(tmp_path / "odd.rrd", entities.APPLICATION, {entities.SIMULATION: [batch]})
-    monkeypatch.setattr("studio.kinds.read_contents", lambda _path: odd)
+    monkeypatch.setattr("studio.recorder.contents.read_contents", lambda _path: odd)
     assert "is damaged" in refused(tmp_path / "odd.rrd")

@@ -17,7 +17,7 @@ from studio.cli import main
 from studio.errors import InputError
 from studio.kinds import read_recording
 from studio.orchestrator import Studio
-from studio.recording import Excerpt, Look, compose_still, write_picture
+from studio.recording import Excerpt, Look, write_picture
 from studio.study.picture.page import compose_learning_picture
 from studio.style.palette import ACTION_COLOURS, DARK, LIGHT
 
@@ -108,7 +108,7 @@ def test_some_actions_keep_the_colours_that_they_have_among_all(
     shown = [has_colour(picture, colour) for colour in ACTION_COLOURS]
     assert shown == [False, False, True, True, False, False, False]
     recording = read_recording(folder / "doorway.rrd")
-    texts = [placed.text for placed in compose_still(recording, Look(), Excerpt(("stop",))).texts]
+    texts = [placed.text for placed in recording.still(Look(), Excerpt(("stop",))).texts]
     assert texts.count("stop") == 2 + 3  # at its path, in the table, and as the pick of all three
     assert "turn left" not in texts
 
@@ -146,13 +146,13 @@ def test_a_study_is_painted_as_its_table(study_recording: Path, tmp_path: Path) 
 
 def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> None:
     recording = read_recording(study_recording)
-    cut = compose_still(recording, Look(), Excerpt(end=10)).pixels
+    cut = recording.still(Look(), Excerpt(end=10)).pixels
     table = pq.read_table(study_recording.with_suffix(".parquet"))
     of_ten = table.filter(table["pairs"].to_numpy() <= 10)
     expected = compose_learning_picture(of_ten, recording.teachers).pixels
     assert np.array_equal(cut, expected)
     with pytest.raises(InputError, match="11 to 29 pairs are not allowed: some of 10, 30"):
-        compose_still(recording, Look(), Excerpt(start=11, end=29))
+        recording.still(Look(), Excerpt(start=11, end=29))
 
 
 @pytest.mark.parametrize("name", ["scene-edition-1", "learning-edition-1"])

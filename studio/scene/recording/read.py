@@ -1,7 +1,6 @@
 """Read a scene back from its recording: everything that pictures and films are made of."""
 
 import tomllib
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,21 +14,10 @@ from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 
 
-@dataclass(frozen=True)
-class SceneRecording:
-    """A scene under all its actions, as recorded.
+def read_scene(contents: Contents) -> tuple[Rollouts, tuple[Judgement, ...]]:
+    """Read back from a recording what was simulated, and what each teacher thinks of the actions.
 
-    Attributes:
-        rollouts: what was simulated; positions and headings are rounded as the recording is.
-        judgements: what each teacher thinks of the actions.
-    """
-
-    rollouts: Rollouts
-    judgements: tuple[Judgement, ...]
-
-
-def read_scene(contents: Contents) -> SceneRecording:
-    """Read a scene back from its recording.
+    Positions and headings are rounded as the recording is.
 
     Recordings of edition 1 do not tell how people walk without the robot, so `without_robot` has no
     walks then, nor what the teachers are like, who then were those of `PROFILES`.
@@ -40,7 +28,7 @@ def read_scene(contents: Contents) -> SceneRecording:
             IndexError say.
     """
     rollouts = _rollouts(contents)
-    return SceneRecording(rollouts, _judgements(contents, rollouts))
+    return rollouts, _judgements(contents, rollouts)
 
 
 def _rollouts(contents: Contents) -> Rollouts:

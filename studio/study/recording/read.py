@@ -1,7 +1,6 @@
 """Read a study back from its recording: the table of its fits, and who was learned from."""
 
 import tomllib
-from dataclasses import dataclass
 from typing import Any
 
 import pyarrow as pa
@@ -12,21 +11,8 @@ from studio.recorder.contents import Contents
 from studio.study.recording import entities
 
 
-@dataclass(frozen=True)
-class StudyRecording:
-    """What came of a study, as recorded.
-
-    Attributes:
-        table: one row a fit, see `learners.STUDY_SCHEMA`.
-        teachers: who was learned from.
-    """
-
-    table: pa.Table
-    teachers: tuple[Teacher, ...]
-
-
-def read_study(contents: Contents) -> StudyRecording:
-    """Read a study back from its recording.
+def read_study(contents: Contents) -> tuple[pa.Table, tuple[Teacher, ...]]:
+    """Read back the table of a study (see `learners.STUDY_SCHEMA`) and its teachers.
 
     Columns that an older edition does not have are missing from the table, too.
 
@@ -49,7 +35,7 @@ def read_study(contents: Contents) -> StudyRecording:
     schema = pa.schema([field for field in STUDY_SCHEMA if field.name in named])
     told = contents.text(entities.STUDY, "study")
     table = pa.Table.from_pylist(rows, schema.with_metadata({METADATA: told}))
-    return StudyRecording(table, teachers)
+    return table, teachers
 
 
 def _teachers(contents: Contents) -> tuple[Teacher, ...]:

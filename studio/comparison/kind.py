@@ -1,0 +1,64 @@
+"""The recording of a comparison: two actions of a scene side by side."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from studio.comparison.comparison import Comparison
+    from studio.painter.canvas import Canvas
+    from studio.painter.encode import Segment
+    from studio.recorder.contents import Contents
+    from studio.recording import Excerpt, Look, Size
+    from studio.scene.judgements import Judgement
+
+SPAN = "outcomes of a comparison"
+
+
+@dataclass(frozen=True)
+class ComparisonRecording:
+    """Two actions side by side, as recorded.
+
+    Attributes:
+        comparison: of the two actions; positions and headings are rounded as the recording is.
+        judgements: what each teacher thinks of these two, left then right.
+    """
+
+    comparison: Comparison
+    judgements: tuple[Judgement, ...]
+
+    still_is_cut = False
+
+    @property
+    def size(self) -> Size:
+        """Size of the still picture unless one asks for another, px."""
+        from studio.comparison.picture.page import SIZE
+
+        return SIZE
+
+    def still(self, look: Look, excerpt: Excerpt) -> Canvas:
+        """Draw the still picture, see `studio.recording.Recording`."""
+        from studio.comparison.picture.page import compose_comparison_picture
+
+        excerpt.refuse_actions("a comparison")
+        return compose_comparison_picture(self.comparison, look.size or self.size, look.colours)
+
+    def moving(self, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
+        """The film, whose excerpt is counted in outcomes, the first being 1."""
+        from studio.comparison.picture.film import compose_comparison_film
+
+        excerpt.refuse_actions("a comparison")
+        span = excerpt.span(1, self.comparison.rollouts.count)
+        rate = look.frames_per_second
+        return compose_comparison_film(self.comparison, size, rate, look.colours, span)
+
+
+def read(contents: Contents) -> ComparisonRecording:
+    """Read the recording of a comparison, see `studio.kinds.Kind`."""
+    from studio.comparison.recording.read import read_comparison
+    from studio.scene.recording import entities
+    from studio.scene.recording.write import SCHEMA_VERSION
+
+    contents.check_edition(entities.SIMULATION, SCHEMA_VERSION)
+    return ComparisonRecording(*read_comparison(contents))

@@ -1,0 +1,78 @@
+"""The recording of a scene: what came of every action of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from scenes import Rollouts
+    from studio.painter.canvas import Canvas
+    from studio.painter.encode import Segment
+    from studio.recorder.contents import Contents
+    from studio.recording import Excerpt, Look, Size
+    from studio.scene.judgements import Judgement
+
+SPAN = "s of a scene"
+
+
+@dataclass(frozen=True)
+class SceneRecording:
+    """A scene under all its actions, as recorded.
+
+    Attributes:
+        rollouts: what was simulated; positions and headings are rounded as the recording is.
+        judgements: what each teacher thinks of the actions.
+    """
+
+    rollouts: Rollouts
+    judgements: tuple[Judgement, ...]
+
+    still_is_cut = False
+
+    @property
+    def size(self) -> Size:
+        """Size of the still picture unless one asks for another, px."""
+        from studio.scene.picture.page import SIZE
+
+        return SIZE
+
+    def still(self, look: Look, excerpt: Excerpt) -> Canvas:
+        """Draw the still picture, see `studio.recording.Recording`."""
+        from studio.scene.picture.page import compose_picture
+
+        shown, theme = self.only(excerpt.actions), look.colours.of(self.rollouts.names)
+        return compose_picture(shown.rollouts, shown.judgements, look.size or self.size, theme)
+
+    def moving(self, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
+        """The film, whose excerpt is counted in s of simulated time."""
+        from studio.scene.picture.film import compose_film
+
+        shown, theme = self.only(excerpt.actions), look.colours.of(self.rollouts.names)
+        span = excerpt.span(0.0, self.rollouts.horizon)
+        rate = look.frames_per_second
+        return compose_film(shown.rollouts, shown.judgements, size, rate, theme, span)
+
+    def only(self, names: tuple[str, ...]) -> SceneRecording:
+        """The recording as if these were all of its actions; the whole one without names."""
+        from studio.scene.selection import only
+
+        if not names:
+            return self
+        rollouts = only(self.rollouts, names)
+        places = [self.rollouts.names.index(name) for name in names]
+        judgements = tuple(
+            replace(each, values=each.values[places], best=int(each.values[places].argmax()))
+            for each in self.judgements
+        )
+        return SceneRecording(rollouts, judgements)
+
+
+def read(contents: Contents) -> SceneRecording:
+    """Read the recording of a scene, see `studio.kinds.Kind`."""
+    from studio.scene.recording import entities
+    from studio.scene.recording.read import read_scene
+    from studio.scene.recording.write import SCHEMA_VERSION
+
+    contents.check_edition(entities.SIMULATION, SCHEMA_VERSION)
+    return SceneRecording(*read_scene(contents))
