@@ -2,14 +2,15 @@
 
 import os
 from collections.abc import Callable
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import NoReturn
 
 import psutil
 import pytest
 
-from scenes.bank import BankPlan, write_bank
-from studio.orchestrator import Studio
+from studio.kinds import KINDS
 
 Missing = Callable[[str], NoReturn]
 
@@ -28,35 +29,37 @@ def missing() -> Missing:
 
 
 @pytest.fixture(scope="session")
-def scene_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("scene")
-    return Studio(folder).record("doorway", rollouts=5, png=False, mp4=False).files[0]
+def example(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Makes a recording of the kind at home in `studio.<room>.kind`, once."""
+
+    @cache
+    def made(room: str) -> Path:
+        maker = import_module(f"tests.studio.{room}.example")
+        path: Path = maker.make(tmp_path_factory.mktemp(room))
+        return path
+
+    return made
 
 
 @pytest.fixture(scope="session")
-def study_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("study")
-    bank = folder / "bank.parquet"
-    write_bank(bank, BankPlan(scenes=16, rollouts=8))
-    return Studio(folder).learn(bank, ("eu", "tk"), pairs=(10, 30), seeds=2).files[2]
+def scene_recording(example: Callable[[str], Path]) -> Path:
+    return example("scene")
 
 
 @pytest.fixture(scope="session")
-def comparison_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("comparison")
-    studio = Studio(folder)
-    compared = studio.compare("doorway", "forward", "stop", rollouts=5, png=False, mp4=False)
-    return compared.files[0]
+def comparison_recording(example: Callable[[str], Path]) -> Path:
+    return example("comparison")
 
 
-# a further kind of recording is a fixture like those above, and its name here
-@pytest.fixture(
-    scope="session", params=["scene_recording", "comparison_recording", "study_recording"]
-)
-def recording(request: pytest.FixtureRequest) -> Path:
-    """A recording of each kind in turn."""
-    path: Path = request.getfixturevalue(request.param)
-    return path
+@pytest.fixture(scope="session")
+def study_recording(example: Callable[[str], Path]) -> Path:
+    return example("study")
+
+
+@pytest.fixture(scope="session", params=[place.split(".")[1] for place in KINDS.values()])
+def recording(request: pytest.FixtureRequest, example: Callable[[str], Path]) -> Path:
+    """A recording of each kind in turn; a new kind joins by an `example.py` beside its tests."""
+    return example(request.param)
 
 
 @pytest.fixture(scope="session")
