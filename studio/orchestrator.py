@@ -7,6 +7,7 @@ picture does not wait for what draws it.
 from __future__ import annotations
 
 import subprocess
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,7 @@ from studio.scene.sources import Source, find_scene
 from studio.study.paper.check import check_figure
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     import pyarrow as pa
 
@@ -34,50 +35,54 @@ if TYPE_CHECKING:
 _COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
 
 
-@dataclass(frozen=True)
-class Learned:
-    """What came of a study.
+@dataclass(frozen=True, kw_only=True)
+class Made:
+    """What came of something that the studio was asked to make.
 
     Attributes:
-        table: one row a fit, see `learners.STUDY_SCHEMA`.
-        files: what was written: table, picture, recording, the figure if one was wanted, and
-            recordings of single scenes.
-        caption: a caption for the figure, in one line; empty without a figure.
+        files: what was written, the recording first; of a study the table first.
     """
 
-    table: pa.Table
     files: tuple[Path, ...]
-    caption: str = ""
 
 
-@dataclass(frozen=True)
-class Recorded:
+@dataclass(frozen=True, kw_only=True)
+class Recorded(Made):
     """What came of recording a scene.
 
     Attributes:
         rollouts: what was simulated.
         judgements: what each teacher thinks of the actions.
-        files: what was written: recording, picture, film.
     """
 
     rollouts: Rollouts
     judgements: tuple[Judgement, ...]
-    files: tuple[Path, ...]
 
 
-@dataclass(frozen=True)
-class Compared:
+@dataclass(frozen=True, kw_only=True)
+class Compared(Made):
     """What came of comparing two actions.
 
     Attributes:
         comparison: of the two actions, which are on random sides.
         judgements: what each teacher thinks of the two, left then right.
-        files: what was written: recording, picture, film.
     """
 
     comparison: Comparison
     judgements: tuple[Judgement, ...]
-    files: tuple[Path, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Learned(Made):
+    """What came of a study; recordings of single scenes come last among its files.
+
+    Attributes:
+        table: one row a fit, see `learners.STUDY_SCHEMA`.
+        caption: a caption for the figure, in one line; empty without a figure.
+    """
+
+    table: pa.Table
+    caption: str = ""
 
 
 class Studio:
@@ -116,8 +121,7 @@ class Studio:
                 or the folder cannot be written to.
         """
         found = self._find(scene, seed)
-        files = self._files(found.name, png, mp4)
-        with replacing(*files) as [part, *pictures]:
+        with self._recording(found.name, png, mp4) as (part, files):
             rollouts = self._simulate(found, seed, settings)
 
             from studio.scene.judgements import judge
@@ -125,8 +129,7 @@ class Studio:
 
             judgements = judge(rollouts)
             write_recording(part, rollouts, judgements)
-            self._paint_recorded(part, pictures)
-        return Recorded(rollouts, judgements, files)
+        return Recorded(files=files, rollouts=rollouts, judgements=judgements)
 
     def compare(
         self,
@@ -160,8 +163,7 @@ class Studio:
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
-        files = self._files(file_name(found.name, one, other), png, mp4)
-        with replacing(*files) as [part, *pictures]:
+        with self._recording(file_name(found.name, one, other), png, mp4) as (part, files):
             comparison = compare(self._simulate(found, seed, settings), one, other, seed)
 
             from studio.comparison.recording.write import write_comparison_recording
@@ -169,8 +171,7 @@ class Studio:
 
             judgements = judge(comparison.rollouts)
             write_comparison_recording(part, comparison, judgements)
-            self._paint_recorded(part, pictures)
-        return Compared(comparison, judgements, files)
+        return Compared(files=files, comparison=comparison, judgements=judgements)
 
     def render(
         self,
@@ -287,7 +288,7 @@ class Studio:
                 caption = paper_caption(table, study.teachers)
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
-        return Learned(table, (*files, *drawn, *scenes), caption)
+        return Learned(files=(*files, *drawn, *scenes), table=table, caption=caption)
 
     def _record_scenes(self, study: Study, table: pa.Table, bank: Path) -> dict[int, SceneLink]:
         """Record the scenes that tell most about the learners, as far as they can be made again."""
@@ -360,10 +361,23 @@ class Studio:
             scene = Source(str(scene), seed=seed)
         return find_scene(scene) if isinstance(scene, Source) else scene
 
-    def _files(self, name: str, png: bool, mp4: bool) -> tuple[Path, ...]:
-        """The recording, and the pictures that are wanted beside it."""
+    @contextmanager
+    def _recording(
+        self, name: str, png: bool, mp4: bool
+    ) -> Iterator[tuple[Path, tuple[Path, ...]]]:
+        """Where the block writes a recording, and all files that are there once it has succeeded.
+
+        The pictures are painted from what was just recorded, not from what was simulated: the
+        picture is the data.
+        """
         suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
-        return tuple(self.out / f"{name}{suffix}" for suffix in suffixes)
+        files = tuple(self.out / f"{name}{suffix}" for suffix in suffixes)
+        with replacing(*files) as [part, *pictures]:
+            yield part, files
+            if pictures:
+                from studio.kinds import read_recording
+
+                self._paint(pictures, read_recording(part))
 
     def _simulate(self, scene: Scene, seed: int, settings: dict[str, Any]) -> Rollouts:
         """Simulate a scene, and say why if the engine has to be compiled first."""
@@ -373,13 +387,6 @@ class Studio:
             warm_up(settings.get("engine", "batched"))
         return simulate(scene, seed=seed, **settings)
 
-    def _paint_recorded(self, recording: Path, pictures: Sequence[Path]) -> None:
-        """Paint what was just recorded, not what was simulated: the picture is the data."""
-        if pictures:
-            from studio.kinds import read_recording
-
-            self._paint(pictures, read_recording(recording))
-
     def _paint(
         self,
         parts: Sequence[Path],
@@ -388,9 +395,8 @@ class Studio:
         excerpt: Excerpt | None = None,
     ) -> None:
         """Paint a recording into files, and tell how far a film is."""
-        from studio.recording import Excerpt, Look, write_picture
+        from studio.recording import write_picture
 
-        look, excerpt = look or Look(), excerpt or Excerpt()
         for part in parts:
             if part.suffix == ".png":
                 write_picture(part, recording, look, excerpt)
