@@ -42,3 +42,16 @@ def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray
         [..., W], m.
     """
     return length(nearest_on_segments(points, segments) - points[..., None, :])
+
+
+def distance_to_people(points: FloatArray, people: FloatArray) -> FloatArray:
+    """Distance of each point, [N, 2], to the nearest of the people, [N]."""
+    apart = np.linalg.norm(points[:, None] - people, axis=-1)
+    nearest: FloatArray = apart.min(axis=1, initial=np.inf)
+    return nearest
+
+
+def distance_to_walls(points: FloatArray, segments: FloatArray) -> FloatArray:
+    """Distance of each point, [N, 2], to the nearest wall, [N]."""
+    nearest: FloatArray = distance_to_segments(points, segments).min(axis=1, initial=np.inf)
+    return nearest

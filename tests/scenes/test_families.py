@@ -10,7 +10,8 @@ from scenes.errors import InputError
 from scenes.families import FAMILIES, PATTERNS, load_scene, sample_scene
 from scenes.geometry import distance_to_segments
 from scenes.rollouts import simulate
-from scenes.scene import Scene, scene_from_toml, scene_to_toml
+from scenes.scene import Scene
+from scenes.scene_text import scene_from_toml, scene_to_toml
 
 COMBINATIONS = [(name, p) for name, family in FAMILIES.items() for p in family.patterns]
 

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from scenes.errors import InputError
+from scenes.ewap import read_tracks
 from scenes.geometry import distance_to_segments
-from scenes.scene import scene_from_toml, scene_to_toml
-from scenes.tracks import busiest_frames, read_tracks, scene_at, scene_from_tracks
+from scenes.scene_text import scene_from_toml, scene_to_toml
+from scenes.tracks import busiest_frames, scene_at, scene_from_tracks
 
 EWAP = Path(
     os.environ.get("STUDIO_EWAP", Path(__file__).resolve().parents[3] / "shared" / "data" / "ewap")
