@@ -21,7 +21,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.crowd import Model
+from scenes.crowd import ForceSet
 from scenes.errors import check_whole
 from scenes.families import sample_scene
 from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, FEATURES, PROGRESS_SPEED
@@ -83,7 +83,7 @@ class BankPlan:
     families: tuple[str, ...] = ()
     patterns: tuple[str, ...] = ()
     horizon: float = 4.0
-    model: Model = "extended"
+    model: ForceSet = "extended"
     engine: Engine = "batched"
     noise: Noise = field(default_factory=Noise)
     limits: Limits = field(default_factory=Limits)

@@ -12,17 +12,17 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
+from scenes.arrays import FloatArray
 from scenes.blocks import LANES, walk_block
-from scenes.crowd import Crowd, Model, Surroundings
+from scenes.crowd import Crowd, ForceSet, Surroundings
 from scenes.forces import EXTENDED, HELBING_MOLNAR
-from scenes.geometry import FloatArray
 
 
 def walk(
     crowd: Crowd,
     surroundings: Surroundings,
     robots: FloatArray,
-    model: Model,
+    model: ForceSet,
     wrap_angles: bool,
     dt: float,
     threads: int | None = None,

@@ -13,7 +13,7 @@ from scenes.forces import Extended, HelbingMolnar
 LANES = 32
 """Rollouts in a block: several registers' worth, few enough for the fastest cache."""
 
-Row = Any  # float64 [LANES]; what numba infers inside compiled code needs no type here
+Lanes = Any  # float64 [LANES]; what numba infers inside compiled code needs no type here
 Loop = TypeVar("Loop", bound=Callable[..., Any])
 
 
@@ -71,7 +71,7 @@ def _face_goals(block: Block, people: int) -> None:
 
 @compiled
 def _add_extended(
-    block: Block, i: int, fx: Row, fy: Row, points: Any, group_of: Any, wrap: bool, p: Extended
+    block: Block, i: int, fx: Lanes, fy: Lanes, points: Any, group_of: Any, wrap: bool, p: Extended
 ) -> None:
     """Add to (fx, fy) what person i feels under the `extended` model."""
     agents = block.x.shape[0]
@@ -120,7 +120,7 @@ def _add_extended(
 
 
 @compiled
-def _add_wall_points(block: Block, i: int, fx: Row, fy: Row, points: Any, p: Extended) -> None:
+def _add_wall_points(block: Block, i: int, fx: Lanes, fy: Lanes, points: Any, p: Extended) -> None:
     """Add the push of every wall point that person i can feel in some lane."""
     reach = p.wall_threshold + 2.0 * p.body_radius
     left, right = block.x[i].min(), block.x[i].max()
@@ -139,7 +139,7 @@ def _add_wall_points(block: Block, i: int, fx: Row, fy: Row, points: Any, p: Ext
 
 @compiled
 def _add_group(
-    block: Block, i: int, fx: Row, fy: Row, group_of: Any, wrap: bool, p: Extended
+    block: Block, i: int, fx: Lanes, fy: Lanes, group_of: Any, wrap: bool, p: Extended
 ) -> None:
     """Add what ties person i to the group: coherence, repulsion and gaze."""
     others_x, others_y = np.zeros(LANES), np.zeros(LANES)
@@ -175,7 +175,7 @@ def _add_group(
 
 @compiled
 def _add_helbing_molnar(
-    block: Block, i: int, fx: Row, fy: Row, dt: float, wrap: bool, p: HelbingMolnar
+    block: Block, i: int, fx: Lanes, fy: Lanes, dt: float, wrap: bool, p: HelbingMolnar
 ) -> None:
     """Add to (fx, fy) what person i feels of goal and people under the `helbing-molnar` model."""
     agents = block.x.shape[0]
@@ -209,7 +209,7 @@ def _add_helbing_molnar(
 
 @compiled
 def _add_wall_gradient(
-    block: Block, i: int, fx: Row, fy: Row, points: Any, wrap: bool, p: HelbingMolnar
+    block: Block, i: int, fx: Lanes, fy: Lanes, points: Any, wrap: bool, p: HelbingMolnar
 ) -> None:
     """Add the push of one wall, from its point nearest to person i."""
     nearest_x, nearest_y = np.empty(LANES), np.empty(LANES)

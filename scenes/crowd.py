@@ -4,12 +4,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scenes.geometry import FloatArray
+from scenes.arrays import FloatArray, IntArray
 from scenes.scene import Scene
 
-Model = Literal["extended", "helbing-molnar"]
+ForceSet = Literal["extended", "helbing-molnar"]
 """A force set of the social force model."""
 
 WALL_POINTS_PER_METRE = 10.0
@@ -63,7 +62,7 @@ class Surroundings:
     groups: tuple[tuple[int, ...], ...]
 
     @property
-    def group_of(self) -> NDArray[np.int64]:
+    def group_of(self) -> IntArray:
         """Number of each grouped person's group, by person; people beyond the last are alone."""
         members = [member for group in self.groups for member in group]
         group_of = np.full(max(members, default=-1) + 1, -1, dtype=np.int64)

@@ -19,11 +19,10 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from scenes.arrays import FloatArray, IntArray
 from scenes.errors import InputError
-from scenes.geometry import FloatArray
 from scenes.scene import SHORTEST_WALL, Position, Wall
 from scenes.scene_text import one_line
 
@@ -51,8 +50,8 @@ class Tracks:
     """
 
     name: str
-    frames: NDArray[np.int64]
-    people: NDArray[np.int64]
+    frames: IntArray
+    people: IntArray
     positions: FloatArray
     velocities: FloatArray
     walls: tuple[Wall, ...]

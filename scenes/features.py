@@ -7,9 +7,9 @@ outcome bank.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scenes.geometry import FloatArray, distance_to_segments, length
+from scenes.arrays import FloatArray, IntArray
+from scenes.geometry import distance_to_segments, lengths
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
@@ -44,7 +44,7 @@ class Outcomes:
     clearance_m: FloatArray
     deviation_m: FloatArray
     progress_m: FloatArray
-    contact_step: NDArray[np.int64]
+    contact_step: IntArray
 
 
 def describe(
@@ -60,11 +60,11 @@ def describe(
         dt: length of a step, s.
     """
     place = robot[..., :2]
-    gap = length(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    gap = lengths(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
     clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
-    aside = length(pedestrians - without_robot)  # (A, K, T+1, P)
+    aside = lengths(pedestrians - without_robot)  # (A, K, T+1, P)
     deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])
-    to_goal = length(place - np.array(scene.robot.goal))  # (A, K, T+1)
+    to_goal = lengths(place - np.array(scene.robot.goal))  # (A, K, T+1)
     progress = to_goal[..., 0] - to_goal[..., -1]
     turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
 

@@ -1,12 +1,11 @@
 """Distances between points and straight segments."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from scenes.arrays import FloatArray
 
 
-def length(vectors: FloatArray) -> FloatArray:
+def lengths(vectors: FloatArray) -> FloatArray:
     """Length of each vector of the last axis, [..., 2] to [...]."""
     x, y = vectors[..., 0], vectors[..., 1]
     result: FloatArray = np.sqrt(x * x + y * y)
@@ -41,7 +40,7 @@ def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray
     Returns:
         [..., W], m.
     """
-    return length(nearest_on_segments(points, segments) - points[..., None, :])
+    return lengths(nearest_on_segments(points, segments) - points[..., None, :])
 
 
 def distance_to_people(points: FloatArray, people: FloatArray) -> FloatArray:

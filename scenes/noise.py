@@ -14,9 +14,9 @@ from statistics import NormalDist
 
 import numpy as np
 
+from scenes.arrays import FloatArray
 from scenes.crowd import Crowd
 from scenes.errors import InputError
-from scenes.geometry import FloatArray
 from scenes.scene import Scene
 
 TRUNCATION = 2.0

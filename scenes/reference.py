@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from scenes.crowd import Crowd, Model, Surroundings
+from scenes.arrays import FloatArray
+from scenes.crowd import Crowd, ForceSet, Surroundings
 from scenes.forces import MAX_SPEED_FACTOR, SMALLEST_ANGLE
-from scenes.geometry import FloatArray
 
 
 @contextmanager
@@ -170,7 +170,7 @@ class SpaceRepulsiveForce(library.SpaceRepulsiveForce):  # type: ignore[misc]
         return total
 
 
-def _force_set(model: Model, wrap_angles: bool) -> list[Any]:
+def _force_set(model: ForceSet, wrap_angles: bool) -> list[Any]:
     # A force reads the section of the library's settings that its class is named after, so the
     # classes above bear the library's names.
     if model == "extended":
@@ -193,7 +193,7 @@ def walk(
     crowd: Crowd,
     surroundings: Surroundings,
     robots: FloatArray,
-    model: Model,
+    model: ForceSet,
     wrap_angles: bool,
     dt: float,
 ) -> FloatArray:
@@ -215,7 +215,7 @@ def _walk_once(
     rollout: int,
     surroundings: Surroundings,
     robots: FloatArray,
-    model: Model,
+    model: ForceSet,
     wrap_angles: bool,
     dt: float,
 ) -> FloatArray:

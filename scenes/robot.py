@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes.actions import MetaAction
+from scenes.arrays import FloatArray
 from scenes.errors import InputError
-from scenes.geometry import FloatArray, distance_to_segments, length
+from scenes.geometry import distance_to_segments, lengths
 from scenes.noise import Disturbance
 from scenes.scene import ROBOT_RADIUS, Scene
 
@@ -77,7 +78,7 @@ def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
     """
     if not len(walls):
         return path
-    moves = length(np.diff(path[..., :2], axis=2)).max(initial=0.0)
+    moves = lengths(np.diff(path[..., :2], axis=2)).max(initial=0.0)
     pieces = max(1, math.ceil(moves / ROBOT_RADIUS))
     if pieces > 1:
         share = np.arange(pieces)[:, None] / pieces

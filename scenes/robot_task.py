@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
+from scenes.arrays import FloatArray
 from scenes.errors import InputError
-from scenes.geometry import FloatArray, distance_to_people, distance_to_walls
+from scenes.geometry import distance_to_people, distance_to_walls
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, ROBOT_TASK, Position, Robot
 
 STANDING_SPEED = 0.2

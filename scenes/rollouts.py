@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.crowd import Model, surroundings_of
+from scenes.arrays import BoolArray, FloatArray, IntArray
+from scenes.crowd import ForceSet, surroundings_of
 from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.features import describe
-from scenes.geometry import FloatArray
 from scenes.noise import Noise, disturb
 from scenes.robot import Limits, drive
 from scenes.scene import Pedestrian, Robot, Scene
@@ -61,7 +60,7 @@ class Rollouts:
     seed: int
     noise: Noise
     limits: Limits
-    model: Model
+    model: ForceSet
     engine: Engine
     wrap_angles: bool
     dt: float
@@ -72,7 +71,7 @@ class Rollouts:
     clearance_m: FloatArray
     deviation_m: FloatArray
     progress_m: FloatArray
-    contact_step: NDArray[np.int64]
+    contact_step: IntArray
 
     @property
     def count(self) -> int:
@@ -90,9 +89,9 @@ class Rollouts:
         return tuple(action.name for action in self.actions)
 
     @property
-    def touched(self) -> NDArray[np.bool_]:
+    def touched(self) -> BoolArray:
         """[A, K]: whether the robot ever touches a pedestrian or a wall."""
-        touched: NDArray[np.bool_] = self.contact_step >= 0
+        touched: BoolArray = self.contact_step >= 0
         return touched
 
     @property
@@ -109,7 +108,7 @@ def simulate(
     engine: Engine = "batched",
     noise: Noise = Noise(),  # noqa: B008  # frozen
     *,
-    model: Model = "extended",
+    model: ForceSet = "extended",
     horizon: float = 4.0,
     dt: float = DEFAULT_STEP,
     wrap_angles: bool = True,
@@ -226,8 +225,8 @@ def _check(
         check_whole("threads", threads, 1, 1024)
     if engine not in get_args(Engine):
         raise InputError(f"engine: {engine!r} is not known: {', '.join(get_args(Engine))}")
-    if model not in get_args(Model):
-        raise InputError(f"model: {model!r} is not known: {', '.join(get_args(Model))}")
+    if model not in get_args(ForceSet):
+        raise InputError(f"model: {model!r} is not known: {', '.join(get_args(ForceSet))}")
     if not (math.isfinite(dt) and 0.001 <= dt <= 0.5):
         raise InputError(f"dt: {dt} s is not allowed: 0.001 to 0.5 s")
     if not (math.isfinite(horizon) and dt <= horizon <= LONGEST_HORIZON):

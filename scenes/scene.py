@@ -7,7 +7,8 @@ import numpy as np
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from scenes.geometry import FloatArray, distance_to_segments
+from scenes.arrays import FloatArray
+from scenes.geometry import distance_to_segments
 
 PEDESTRIAN_RADIUS = 0.20
 """Radius of a pedestrian's disc, m."""

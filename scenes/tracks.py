@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from scenes.arrays import FloatArray, IntArray
 from scenes.errors import InputError
 from scenes.ewap import ANNOTATION_STEP, Tracks, read_tracks
-from scenes.geometry import FloatArray, distance_to_people, distance_to_walls
+from scenes.geometry import distance_to_people, distance_to_walls
 from scenes.robot_task import STANDING_SPEED, check_on_map, position, robot_task
 from scenes.scene import GOAL_DISTANCE, PEDESTRIAN_RADIUS, Pedestrian, Position, Scene
 from scenes.scene_text import one_line
@@ -159,7 +159,7 @@ def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> P
 
 
 def _groups_present(
-    groups: tuple[tuple[int, ...], ...], people: NDArray[np.int64]
+    groups: tuple[tuple[int, ...], ...], people: IntArray
 ) -> tuple[tuple[int, ...], ...]:
     """Groups with two members present or more, as places in the list of people.
 
