@@ -1,4 +1,8 @@
-"""Who takes part in a pattern, and where they find room."""
+"""Who takes part in each pattern, and where they find room.
+
+A cast is a list of parties; a party is one person, or a group side by side. Each kind of party
+draws its people from a random stream, again and again until they have room in the place.
+"""
 
 import math
 from collections.abc import Callable, Mapping
@@ -6,12 +10,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scenes.geometry import distance_to_segments
-from scenes.places import Place, Range, beyond
-from scenes.scene import GOAL_DISTANCE, MEAN_WALKING_SPEED, Pedestrian
+from scenes.geometry import distance_to_people, distance_to_walls
+from scenes.places import DrawnPlace, Range, beyond
+from scenes.scene import (
+    GOAL_DISTANCE,
+    MEAN_WALKING_SPEED,
+    Pedestrian,
+    Position,
+    segments_of,
+    starts_of,
+)
 
 _PEOPLE_APART = 0.55
-"""Smallest distance between two people's starts, m: the jitter of starts never makes them touch."""
+"""Smallest distance between two people's starts, m: it leaves room for the noise of starts."""
 
 _ROBOT_APART = 0.9
 """Smallest distance between a person's start and the robot's, m."""
@@ -20,22 +31,23 @@ _WALLS_APART = 0.8
 """Smallest distance between a person's start and a wall, m."""
 
 _SHOULDERS = (0.62, 0.75)
-"""How far apart people who stand or walk side by side are, m."""
+"""Least and greatest distance between neighbours in a group, m."""
 
 _WALK = (MEAN_WALKING_SPEED, MEAN_WALKING_SPEED)
 _STAND = (0.0, 0.0)
 _SLOW = (0.4, 0.8)
 _STROLL = (0.9, 1.3)
 _FAST = (1.6, 1.9)
-"""Desired speeds of people who walk as most do, stand, are slow, have company, or hurry, m/s."""
+"""Ranges of the desired speed, m/s: of most people, and of people who stand, are slow, have company
+or hurry."""
 
 _TRIES = 60
-"""How often a place is sought for a party before it stays away."""
+"""How many times a party is drawn anew for want of room before it is left out."""
 
 Party = tuple[Pedestrian, ...]
 
 
-# Parties: one person, or a group side by side
+# Kinds of party
 
 
 @dataclass(frozen=True)
@@ -47,8 +59,8 @@ class Along:
         way: +1 to walk the robot's way, -1 to come towards it.
         speed: desired speed, m/s.
         sizes: fewest and most members.
-        aside: how far to the left of the robot's straight way its middle starts, m; None is
-            anywhere.
+        aside: how far to the left of the robot's straight way its middle starts, m; None puts it
+            anywhere in the width of the place.
     """
 
     ahead: Range
@@ -57,7 +69,7 @@ class Along:
     sizes: tuple[int, int] = (1, 1)
     aside: Range | None = None
 
-    def draw(self, rng: np.random.Generator, place: Place) -> Party:
+    def draw(self, rng: np.random.Generator, place: DrawnPlace) -> Party:
         """Draw a party of this kind."""
         (x, y), heading = place.robot.start, place.robot.start_heading
         ahead, width = rng.uniform(*self.ahead), place.half_width
@@ -71,17 +83,17 @@ class Along:
 
 @dataclass(frozen=True)
 class Across:
-    """A party that crosses the robot's way; nobody, where there is no street to come from.
+    """A party that crosses the robot's way; it stays empty in a place without a street.
 
     Attributes:
-        early: how long before the robot it gets to where their paths cross, s.
+        early: how long before the robot the party gets to where their paths cross, s.
         sizes: fewest and most members.
     """
 
     early: Range
     sizes: tuple[int, int] = (1, 1)
 
-    def draw(self, rng: np.random.Generator, place: Place) -> Party:
+    def draw(self, rng: np.random.Generator, place: DrawnPlace) -> Party:
         """Draw a party of this kind."""
         if place.street is None:
             return ()
@@ -96,13 +108,13 @@ class Across:
 
 def _abreast(
     rng: np.random.Generator,
-    place: Place,
-    middle: tuple[float, float],
+    place: DrawnPlace,
+    middle: Position,
     direction: float,
     sizes: tuple[int, int],
     speed: Range,
 ) -> Party:
-    """People side by side, facing a direction (rad)."""
+    """People side by side who walk in one direction (rad) at one speed."""
     size = int(rng.integers(sizes[0], sizes[1], endpoint=True))
     apart = rng.uniform(*_SHOULDERS)
     desired = rng.uniform(*speed)
@@ -115,16 +127,16 @@ def _abreast(
 
 
 def _goal(
-    rng: np.random.Generator, place: Place, start: tuple[float, float], direction: float
-) -> tuple[float, float]:
-    """A goal far away in a direction (rad), or behind the opening if that is on the way."""
+    rng: np.random.Generator, place: DrawnPlace, start: Position, direction: float
+) -> Position:
+    """A goal far away in a direction (rad); if an opening is on the way, straight behind it."""
     along = (math.cos(direction), math.sin(direction))
     if place.gate is None or start[0] * along[0] > 0:
         return beyond(start, (start[0] + along[0], start[1] + along[1]), GOAL_DISTANCE)
     return beyond(start, (0.0, rng.uniform(-0.25, 0.25) * place.gate), GOAL_DISTANCE)
 
 
-# Casts: who takes part in a pattern
+# Casts
 
 Cast = list[Along | Across]
 
@@ -192,9 +204,11 @@ CASTS: Mapping[str, Callable[[np.random.Generator], Cast]] = {
     "bottleneck": _bottleneck,
     "mixed": _mixed,
 }
+"""What draws the cast of each pattern."""
 
 
 def _some(rng: np.random.Generator, party: Along | Across, least: int, most: int) -> Cast:
+    """The same kind of party between `least` and `most` times."""
     return [party] * int(rng.integers(least, most, endpoint=True))
 
 
@@ -202,9 +216,9 @@ def _some(rng: np.random.Generator, party: Along | Across, least: int, most: int
 
 
 def gather(
-    rng: np.random.Generator, place: Place, cast: Cast
+    rng: np.random.Generator, place: DrawnPlace, cast: Cast
 ) -> tuple[Party, tuple[tuple[int, ...], ...]]:
-    """The people of a cast, each party where there is room for it, and who belongs together."""
+    """The people of a cast who found room, and the groups they form, as indices of people."""
     people: list[Pedestrian] = []
     groups: list[tuple[int, ...]] = []
     for kind in cast:
@@ -216,9 +230,9 @@ def gather(
 
 
 def _with_room(
-    rng: np.random.Generator, place: Place, others: list[Pedestrian], kind: Along | Across
+    rng: np.random.Generator, place: DrawnPlace, others: list[Pedestrian], kind: Along | Across
 ) -> Party:
-    """A party that starts clear of everything; nobody, if the place is too full for it."""
+    """A party that starts clear of everything; an empty one if the place is too full for it."""
     for _ in range(_TRIES):
         party = kind.draw(rng, place)
         if not party or _is_clear(place, others, party):
@@ -226,13 +240,10 @@ def _with_room(
     return ()
 
 
-def _is_clear(place: Place, others: list[Pedestrian], party: Party) -> bool:
-    starts = np.array([person.start for person in party])
-    if np.hypot(*(starts - place.robot.start).T).min() < _ROBOT_APART:
-        return False
-    if others:
-        theirs = np.array([person.start for person in others])
-        if np.linalg.norm(starts[:, None] - theirs, axis=-1).min() < _PEOPLE_APART:
-            return False
-    segments = np.array([(wall.start, wall.end) for wall in place.walls]).reshape(-1, 2, 2)
-    return bool((distance_to_segments(starts, segments) >= _WALLS_APART).all())
+def _is_clear(place: DrawnPlace, others: list[Pedestrian], party: Party) -> bool:
+    starts, theirs = starts_of(party), starts_of(others)
+    return bool(
+        (distance_to_people(starts, np.array([place.robot.start])) >= _ROBOT_APART).all()
+        and (distance_to_people(starts, theirs) >= _PEOPLE_APART).all()
+        and (distance_to_walls(starts, segments_of(place.walls)) >= _WALLS_APART).all()
+    )

@@ -1,10 +1,10 @@
-"""Scenes from real crowds: recordings of pedestrians in the EWAP format.
+"""Recordings of real pedestrians in the EWAP format.
 
 A recording is a folder that holds `obsmat.txt`: a row for each person in each annotated frame, with
 the columns frame, person, x, z, y, vx, vz, vy (m and m/s, z up). Beside it there may be
 `groups.txt` (a line for each group, the numbers of its members) and `map.xml` (what stands in the
-way: lines and circles). `destinations.txt` is not read: it lists places where people of the whole
-recording went, not who went where, and the tracks themselves say that better.
+way: lines and circles). `destinations.txt` is not read: it lists places where people went, but not
+who went where, which the tracks themselves show.
 
 The format and two recordings are from Pellegrini, Ess, Schindler and van Gool, "You'll never walk
 alone: modeling social behavior for multi-target tracking", ICCV 2009; the maps are from Amirian et
@@ -22,17 +22,20 @@ import numpy as np
 from pydantic import ValidationError
 
 from scenes.arrays import FloatArray, IntArray
-from scenes.errors import InputError
+from scenes.errors import InputError, why_unreadable
 from scenes.scene import SHORTEST_WALL, Position, Wall
 from scenes.scene_text import one_line
 
 _COLUMNS = ("frame", "person", "x", "z", "y", "vx", "vz", "vy")
 
+STANDING_SPEED = 0.2
+"""A person of a recording who is slower than this stands, m/s."""
+
 ANNOTATION_STEP = 0.4
-"""Time between two annotated frames in the EWAP format, s."""
+"""Time between two annotated frames, s."""
 
 _MARGIN = 1e-6
-"""Who is moved to an allowed distance is moved this much further, against rounding, m."""
+"""Walls are lengthened to this much more than the shortest length allowed, against rounding, m."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Tracks:
         people: [N], number of the person.
         positions: [N, 2], m.
         velocities: [N, 2], m/s.
-        walls: what stands in the way.
+        walls: walls that stand for the lines and circles of the map.
         groups: numbers of the people who belong together, in the order of the file.
     """
 
@@ -115,7 +118,7 @@ def _read_table(file: Path) -> FloatArray:
 
 
 def _read_groups(file: Path) -> tuple[tuple[int, ...], ...]:
-    """A group for each line that is not empty; none without the file."""
+    """The groups in `groups.txt`, one for each line that is not empty; none without the file."""
     if not file.exists():
         return ()
     groups = []
@@ -130,7 +133,7 @@ def _read_groups(file: Path) -> tuple[tuple[int, ...], ...]:
 
 
 def _read_map(file: Path) -> tuple[Wall, ...]:
-    """Lines as walls, circles as polygons; none without the file."""
+    """The lines of `map.xml` as walls and its circles as polygons; none without the file."""
     if not file.exists():
         return ()
     try:
@@ -144,7 +147,7 @@ def _read_map(file: Path) -> tuple[Wall, ...]:
 
 
 def _walls(file: Path, root: ElementTree.Element) -> Iterator[Wall]:
-    # {*}: with or without a namespace
+    # {*} finds elements with and without a namespace.
     for line in root.findall(".//{*}Line"):
         x1, y1, x2, y2 = (_number(file, line, key) for key in ("x1", "y1", "x2", "y2"))
         yield _long_enough((x1, y1), (x2, y2))
@@ -157,8 +160,7 @@ def _read_text(file: Path) -> str:
     try:
         return file.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise InputError(f"{file}: cannot be read: {reason}") from None
+        raise InputError(f"{file}: cannot be read: {why_unreadable(error)}") from None
 
 
 def _number(file: Path, element: ElementTree.Element, key: str) -> float:
@@ -191,7 +193,7 @@ def _long_enough(start: Position, end: Position) -> Wall:
 def _polygon(x: float, y: float, radius: float) -> Iterator[Wall]:
     """A circle as a polygon with corners on it and sides of at least `SHORTEST_WALL`.
 
-    A circle too small even for a triangle is drawn larger.
+    A circle that is too small for a triangle of such sides becomes the smallest such triangle.
     """
     side = SHORTEST_WALL + _MARGIN
     radius = max(radius, side / (2.0 * math.sin(math.pi / 3.0)))

@@ -1,22 +1,21 @@
 """Generated scenes: four families of place, six patterns of how people meet in them.
 
-Everything is drawn from a seed and a number, so a seed names an endless series of scenes and each
-of them can be made again alone. The robot starts on the left, under way, and faces right, towards
-its goal; the people it will meet are a few seconds away. Places are made for the social force
-model, which has no path planning: everyone walks straight at the goal, so who must pass a door has
-a goal that lies behind it in a straight line, and goals are so far away that nobody arrives.
+Everything is drawn from a seed and a number: a seed names an endless series of scenes, and each of
+them can be made again without the others. The robot starts on the left, already driving, and faces
+right, towards its goal; the people it will meet are a few seconds away. Places are made for the
+social force model, which has no path planning: everyone walks straight at the goal. So whoever must
+pass a door has a goal straight behind it, and goals are so far away that nobody arrives.
 """
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-import numpy as np
-
 from scenes.casts import CASTS, gather
 from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.places import PLACES
 from scenes.scene import LARGEST_NUMBER, Scene
+from scenes.streams import scene_stream
 
 
 @dataclass(frozen=True)
@@ -25,8 +24,7 @@ class Family:
 
     Attributes:
         description: what it looks like, in one line.
-        patterns: how people can meet there; the first is the one that is used unless another is
-            asked for.
+        patterns: how people can meet there; the first is taken if none is asked for.
     """
 
     description: str
@@ -74,8 +72,8 @@ def load_scene(
 
     Args:
         family_or_name: one of `FAMILIES`, for example "doorway".
-        pattern: one of the family's patterns; None takes the first of them, which is the one
-            that shows the family best ("doorway" alone is two-way traffic through the opening).
+        pattern: one of the family's patterns; None takes the first of them, which shows the family
+            best ("doorway" alone is two-way traffic through the opening).
         seed: seed of the series, 0 to 2**63 - 1.
         number: which scene of the series, 0 to 2**31 - 1.
 
@@ -88,7 +86,9 @@ def load_scene(
             of range.
     """
     pattern = _checked_pattern(family_or_name, pattern)
-    rng = _stream(seed, number)
+    check_whole("seed", seed, 0, LARGEST_SEED)
+    check_whole("number", number, 0, LARGEST_NUMBER)
+    rng = scene_stream(seed, number)
     place = PLACES[family_or_name](rng)
     people, groups = gather(rng, place, CASTS[pattern](rng))
     return Scene(
@@ -111,15 +111,15 @@ def sample_scene(
 ) -> Scene:
     """Draw one scene of a balanced series.
 
-    Consecutive numbers go round the families, and each family goes round its patterns, so that any
-    run of scenes has each family equally often (to within one).
+    Consecutive numbers take the families in turn, and each family takes its patterns in turn, so
+    any stretch of the series has each family equally often (to within one).
 
     Args:
         seed: seed of the series, 0 to 2**63 - 1.
         number: which scene of the series, 0 to 2**31 - 1.
         families: families to draw from; None is all of them.
-        patterns: patterns to draw from; None is all of them. A family that has none of them is
-            left out.
+        patterns: patterns to draw from; None is all of them. A family without any of these
+            patterns is left out.
 
     Raises:
         InputError: if a name is unknown, a number is out of range, or nothing is left to draw from.
@@ -177,11 +177,3 @@ def _listed(names: Collection[str] | None) -> str:
 def _check_known(field: str, name: str, allowed: Collection[str]) -> None:
     if name not in allowed:
         raise InputError(f"{field}: {name!r} is unknown: choose from {', '.join(allowed)}")
-
-
-def _stream(seed: int, number: int) -> np.random.Generator:
-    """The scene's own random stream; the noise of rollouts uses counters that start with 0."""
-    check_whole("seed", seed, 0, LARGEST_SEED)
-    check_whole("number", number, 0, LARGEST_NUMBER)
-    key = np.array([seed, number], dtype=np.uint64)
-    return np.random.Generator(np.random.Philox(key=key, counter=[0, 0, 0, 1]))

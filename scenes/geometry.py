@@ -1,4 +1,6 @@
-"""Distances between points and straight segments."""
+"""Lengths, and distances between points and straight segments."""
+
+import math
 
 import numpy as np
 
@@ -10,6 +12,12 @@ def lengths(vectors: FloatArray) -> FloatArray:
     x, y = vectors[..., 0], vectors[..., 1]
     result: FloatArray = np.sqrt(x * x + y * y)
     return result
+
+
+def directions(count: int) -> FloatArray:
+    """Unit vectors in evenly spaced directions, the first along x, [count, 2]."""
+    angles = np.linspace(0.0, math.tau, count, endpoint=False)
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
 def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
@@ -44,13 +52,13 @@ def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray
 
 
 def distance_to_people(points: FloatArray, people: FloatArray) -> FloatArray:
-    """Distance of each point, [N, 2], to the nearest of the people, [N]."""
+    """Distance of each point, [N, 2], to the nearest of people, [P, 2]: [N], inf without."""
     apart = np.linalg.norm(points[:, None] - people, axis=-1)
     nearest: FloatArray = apart.min(axis=1, initial=np.inf)
     return nearest
 
 
 def distance_to_walls(points: FloatArray, segments: FloatArray) -> FloatArray:
-    """Distance of each point, [N, 2], to the nearest wall, [N]."""
-    nearest: FloatArray = distance_to_segments(points, segments).min(axis=1, initial=np.inf)
+    """Distance of each point, [..., 2], to the nearest of walls, [W, 2, 2]: [...], inf without."""
+    nearest: FloatArray = distance_to_segments(points, segments).min(axis=-1, initial=np.inf)
     return nearest

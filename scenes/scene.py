@@ -1,6 +1,7 @@
 """The scene: everything about one situation that is not random."""
 
 import math
+from collections.abc import Sequence
 from typing import Annotated
 
 import numpy as np
@@ -17,16 +18,16 @@ ROBOT_RADIUS = 0.25
 """Radius of the robot's disc, m."""
 
 SHORTEST_WALL = 0.1
-"""Pedestrians feel a wall through points every 0.1 m, so a wall is at least that long, m."""
+"""Length of the shortest wall, m: pedestrians feel a wall through points every 0.1 m."""
 
 MEAN_WALKING_SPEED = 1.34
 """Mean desired speed of pedestrians, m/s (Helbing and Molnár 1995, section III)."""
 
 GOAL_DISTANCE = 40.0
-"""How far away people's goals lie where the studio chooses them, m: nobody walks there in 10 s."""
+"""How far away the goals lie that are chosen for people, m: nobody walks so far in 10 s."""
 
 ROBOT_TASK = 8.0
-"""Distance from the robot's start to its goal, where the studio chooses it, m."""
+"""Distance from the robot's start to a goal that is chosen for it, m."""
 
 LARGEST_NUMBER = 2**31 - 1
 """Largest number of a scene in a series."""
@@ -134,12 +135,12 @@ class Scene:
     @property
     def wall_segments(self) -> FloatArray:
         """Both ends of every wall, [W, 2, 2], m."""
-        return np.array([(wall.start, wall.end) for wall in self.walls]).reshape(-1, 2, 2)
+        return segments_of(self.walls)
 
     @property
     def starts(self) -> FloatArray:
         """Where the pedestrians are at time 0, [P, 2], m."""
-        return np.array([person.start for person in self.pedestrians]).reshape(-1, 2)
+        return starts_of(self.pedestrians)
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -149,6 +150,16 @@ class Scene:
         )
         (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
         return float(x0), float(y0), float(x1), float(y1)
+
+
+def segments_of(walls: Sequence[Wall]) -> FloatArray:
+    """Both ends of every wall, [W, 2, 2], m."""
+    return np.array([(wall.start, wall.end) for wall in walls]).reshape(-1, 2, 2)
+
+
+def starts_of(people: Sequence[Pedestrian]) -> FloatArray:
+    """Where people are at time 0, [P, 2], m."""
+    return np.array([person.start for person in people]).reshape(-1, 2)
 
 
 def _check_walls(scene: Scene) -> None:

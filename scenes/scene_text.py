@@ -1,4 +1,4 @@
-"""Scenes as TOML text, and what is wrong with one in one line."""
+"""Scenes as TOML text, and one line that says what is wrong with such a text."""
 
 import re
 import tomllib
@@ -9,7 +9,7 @@ from typing import Any
 import tomli_w
 from pydantic import TypeAdapter, ValidationError
 
-from scenes.errors import InputError
+from scenes.errors import InputError, why_unreadable
 from scenes.scene import Scene
 
 _SCENE = TypeAdapter(Scene)
@@ -53,7 +53,7 @@ def scene_from_file(path: Path) -> Scene:
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        reason = why_unreadable(error)
         raise InputError(f"{path}: cannot be read as a scene: {reason}") from None
     return scene_from_toml(text, source=str(path))
 
@@ -82,12 +82,13 @@ def _dotted(location: tuple[int | str, ...]) -> str:
 
 
 def _short(value: object) -> str:
+    """The value as Python writes it, cut off after 60 characters."""
     text = repr(value)
     return text if len(text) <= 60 else text[:57] + "..."
 
 
 def _without_none(value: Any) -> Any:
-    """TOML has no null: a key whose value is None is left out."""
+    """The value without keys whose value is None, for which TOML has no word."""
     if isinstance(value, dict):
         return {key: _without_none(item) for key, item in value.items() if item is not None}
     if isinstance(value, list | tuple):

@@ -1,6 +1,5 @@
 """Scenes from real crowds: a moment of a recording, and a robot that crosses it."""
 
-import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,17 +9,17 @@ from pydantic import ValidationError
 
 from scenes.arrays import FloatArray, IntArray
 from scenes.errors import InputError
-from scenes.ewap import ANNOTATION_STEP, Tracks, read_tracks
-from scenes.geometry import distance_to_people, distance_to_walls
-from scenes.robot_task import STANDING_SPEED, check_on_map, position, robot_task
-from scenes.scene import GOAL_DISTANCE, PEDESTRIAN_RADIUS, Pedestrian, Position, Scene
+from scenes.ewap import ANNOTATION_STEP, STANDING_SPEED, Tracks, read_tracks
+from scenes.geometry import directions, distance_to_people, distance_to_walls
+from scenes.robot_task import check_on_map, position, robot_task
+from scenes.scene import GOAL_DISTANCE, PEDESTRIAN_RADIUS, Pedestrian, Position, Scene, segments_of
 from scenes.scene_text import one_line
 
 _END_IS_NEAR = 1.0
-"""A track that ends within this distance says nothing of where the person is headed, m."""
+"""A track that ends nearer than this does not show where the person is headed, m."""
 
 MOMENT = 4.0
-"""Busy moments of a recording are named at least this far apart, s."""
+"""Least time between two busy moments of a recording, s: neighbouring frames show one crowd."""
 
 
 def scene_from_tracks(
@@ -29,13 +28,13 @@ def scene_from_tracks(
     robot_start: Position | None = None,
     robot_goal: Position | None = None,
 ) -> Scene:
-    """Read a recording and make a scene of one of its moments; see `scene_at`.
+    """Read a recording and make a scene of one of its moments.
 
     Args:
         path: the recording's folder, or its file of annotations.
-        frame: number of an annotated frame.
-        robot_start: where the robot starts (x, y), m; None looks for a telling place.
-        robot_goal: where the robot is headed (x, y), m; None looks for one.
+        frame: as for `scene_at`, which says how the scene is made.
+        robot_start: as for `scene_at`.
+        robot_goal: as for `scene_at`.
 
     Raises:
         InputError: if the recording cannot be read, or no such scene can be made of it.
@@ -44,13 +43,13 @@ def scene_from_tracks(
 
 
 def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
-    """The moments with most people, most first, then the earlier: (frame, people).
+    """The frames with most people, at least `MOMENT` apart, and how many people they show.
 
-    Moments are at least `MOMENT` apart: two neighbouring frames show the same crowd.
+    The frame with most people comes first; of two frames with equally many, the earlier one.
 
     Args:
         path: the recording's folder, or its file of annotations.
-        count: how many moments, at least 1; fewer come back from a short recording.
+        count: how many frames, at least 1; a short recording gives fewer.
 
     Raises:
         InputError: if the recording cannot be read, or the count is below 1.
@@ -78,21 +77,21 @@ def scene_at(
 ) -> Scene:
     """The scene of one moment of a recording, with a robot that crosses it.
 
-    People start where they were, as fast as they were. They like to walk at the mean speed of the
-    rest of their track, towards where it ends and on beyond: the force model stops people at their
-    goals, the camera's view does not. Whoever is slower than `STANDING_SPEED` stands. Some
-    annotations lie inside a wall or another person; such people are moved out, as little as can be
-    (to within 1 cm).
+    People start where they were and as fast as they were. Their desired speed is the mean speed of
+    the rest of their track. Their goal lies far beyond the end of their track, because people did
+    not stop where the camera's view ends, but the force model stops people at their goals. Whoever
+    is slower than `STANDING_SPEED` stands. People who are annotated inside a wall or another person
+    are moved out by as little as possible (to within 1 cm).
 
-    Where the robot's start or goal is left open, it is placed, or headed, so that it narrowly
-    passes as many people as possible in the next four seconds (found by trial, the same each time).
-    A start that is left open lies 3 m or more from the people's middle and 1.5 m or more from each.
+    A start or goal of the robot that is left open is chosen so that the robot narrowly passes as
+    many people as possible in the next four seconds; the choice is the same each time. A chosen
+    start lies at least 3 m from the middle of the people and at least 1.5 m from each of them.
 
     Args:
         tracks: the recording.
         frame: number of an annotated frame; the scene's number.
-        robot_start: where the robot starts (x, y), m; None looks for a telling place.
-        robot_goal: where the robot is headed (x, y), m; None looks for one.
+        robot_start: where the robot starts (x, y), m; None leaves it open.
+        robot_goal: where the robot is headed (x, y), m; None leaves it open.
 
     Raises:
         InputError: if nobody is annotated at the frame, or the robot would start inside a person
@@ -102,7 +101,7 @@ def scene_at(
     check_on_map("robot_goal", robot_goal)
     now = _at_frame(tracks, frame)
     people = tracks.people[now]
-    segments = np.array([(w.start, w.end) for w in tracks.walls]).reshape(-1, 2, 2)
+    segments = segments_of(tracks.walls)
     starts = _moved_clear(tracks.positions[now], segments)
     try:
         return Scene(
@@ -161,9 +160,9 @@ def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> P
 def _groups_present(
     groups: tuple[tuple[int, ...], ...], people: IntArray
 ) -> tuple[tuple[int, ...], ...]:
-    """Groups with two members present or more, as places in the list of people.
+    """Groups of which two members or more are present, as indices of the people present.
 
-    A person belongs to the first such group only.
+    A person who is in several such groups belongs to the first of them only.
     """
     free = {int(person): place for place, person in enumerate(people)}
     present = []
@@ -175,7 +174,7 @@ def _groups_present(
 
 
 def _moved_clear(positions: FloatArray, segments: FloatArray) -> FloatArray:
-    """The positions, [P, 2], with those inside a wall or another person moved out of it."""
+    """The positions, [P, 2]; each that lies inside a wall or another person is moved out of it."""
     clear = positions.copy()
     for index in range(len(clear)):
         others = np.delete(clear, index, axis=0)
@@ -191,14 +190,13 @@ def _moved_clear(positions: FloatArray, segments: FloatArray) -> FloatArray:
 def _rings_around(point: FloatArray) -> Iterator[FloatArray]:
     """The point itself, [1, 2], then ever wider rings of points about it, [72, 2], up to 3 m."""
     yield point[None]
-    angles = np.linspace(0.0, math.tau, 72, endpoint=False)
-    directions = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    around = directions(72)
     for step in range(1, 301):
-        yield point + 0.01 * step * directions
+        yield point + 0.01 * step * around
 
 
 def _scene_name(name: str, frame: int) -> str:
-    """A name that is a file's: the recording's and the frame."""
+    """The recording's name and the frame, in letters that a scene's name may have."""
     ending = f"-{frame}"
     plain = re.sub(r"[^A-Za-z0-9_.\-]", "_", name).lstrip("_.-") or "tracks"
     return plain[: 64 - len(ending)] + ending
