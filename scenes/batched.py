@@ -2,9 +2,9 @@
 
 Rollouts lie side by side in lanes: every quantity is an array [agent, lane], and the innermost loop
 always runs over the lanes, so that one instruction moves several rollouts. A block of lanes is
-simulated from its first step to its last while it stays in the fastest cache; blocks are shared
-out among threads. A lane never looks at another lane, so a result does not depend on how rollouts
-fall into blocks, or blocks into threads.
+simulated from its first step to its last while it stays in the fastest cache; threads share the
+blocks. A lane never looks at another lane, so a result does not depend on which rollouts share a
+block, or which blocks a thread.
 """
 
 import os
@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from scenes.arrays import FloatArray
-from scenes.blocks import LANES, walk_block
+from scenes.blocks import LANES, Block, walk_block
 from scenes.crowd import Crowd, ForceSet, Surroundings
 from scenes.forces import EXTENDED, HELBING_MOLNAR
 
@@ -35,26 +35,26 @@ def walk(
         robots: [A, K, T+1, R, 4]: x, y in m, heading in rad, speed in m/s of R robots; R = 0 is a
             walk without a robot.
         model: the force set.
-        wrap_angles: right physics; False repeats pysocialforce's arithmetic (see
-            `scenes.simulate`).
+        wrap_angles: as for `scenes.simulate`.
         dt: length of a step, s.
-        threads: how many to use; every processor if left out. Changes nothing but the time taken.
+        threads: how many to use; None is one per processor. The result is the same.
 
     Returns:
         Paths of the people, [A, K, T+1, P, 2], m.
     """
     actions, rollouts = robots.shape[:2]
-    lanes = actions * rollouts
+    lanes, agents = actions * rollouts, crowd.people + robots.shape[3]
     paths = np.empty((lanes, crowd.steps + 1, crowd.people, 2))
     points = np.concatenate([np.empty((0, 2)), *surroundings.wall_points])
     wall_ends = np.cumsum([0, *map(len, surroundings.wall_points)])
     robot_of = np.ascontiguousarray(robots).reshape(lanes, *robots.shape[2:])
 
     def run(first: int) -> None:
-        # A last block that is not full repeats its last lane: every lane runs through the same
-        # instructions, full block or not.
+        # A last block that is not full repeats its last lane, so that every lane of every block
+        # runs through the same instructions.
         lane_of = np.minimum(np.arange(first, first + LANES), lanes - 1)
         walk_block(
+            Block(*np.zeros((len(Block._fields), agents, LANES))),
             lane_of,
             lane_of % rollouts,
             crowd.starts,

@@ -11,37 +11,27 @@ from scenes import forces
 from scenes.forces import Extended, HelbingMolnar
 
 LANES = 32
-"""Rollouts in a block: several registers' worth, few enough for the fastest cache."""
+"""How many rollouts a block has: enough to fill several registers, few enough for the cache."""
 
-Lanes = Any  # float64 [LANES]; what numba infers inside compiled code needs no type here
+Lanes = Any  # float64 [LANES]; numba infers the types inside compiled code by itself
 Loop = TypeVar("Loop", bound=Callable[..., Any])
 
 
 def compiled(function: Loop) -> Loop:
     """Compile a loop over lanes.
 
-    Of fast-math only the fusing of multiply and add is allowed: every lane gets it alike, and no
-    sum is reordered, so a lane gives the same bits whatever stands beside it.
+    Of fast-math only the fusing of multiply and add is allowed. It is the same in every lane and
+    reorders no sum, so a lane gives the same bits whatever its neighbours are.
     """
     jit = njit(error_model="numpy", cache=True, nogil=True, fastmath={"contract"})
     return cast(Loop, jit(function))
 
 
 class Block(NamedTuple):
-    """State of the agents of one block, each field [agents, LANES]; people first, then the robot.
+    """State of the agents of one block, each field [agents, LANES]; people first, then robots.
 
-    Attributes:
-        x: position, m.
-        y: position, m.
-        vx: velocity, m/s.
-        vy: velocity, m/s.
-        ex: direction to the goal (for the robot: its heading), unit vector.
-        ey: direction to the goal.
-        distance: distance to the goal, m.
-        goal_x: m.
-        goal_y: m.
-        desired_speed: m/s.
-        max_speed: m/s.
+    Positions, goals and `distance`, which is that to the goal, are in m, speeds in m/s; (ex, ey) is
+    the unit vector to the goal, and for a robot its heading.
     """
 
     x: Any
@@ -59,6 +49,7 @@ class Block(NamedTuple):
 
 @compiled
 def _face_goals(block: Block, people: int) -> None:
+    """Set everybody's direction and distance to the goal."""
     for i in range(people):
         for lane in range(LANES):
             ex, ey, distance = forces.unit(
@@ -79,7 +70,7 @@ def _add_extended(
     for j in range(agents):
         if j == i:
             continue
-        # The choice stands outside the loop over lanes: inside, it costs a fifth of the speed.
+        # Inside the loop over lanes, this choice would cost a fifth of the speed.
         if wrap:
             for lane in range(LANES):
                 ax, ay = forces.social(
@@ -234,7 +225,7 @@ def _add_wall_gradient(
 
 @compiled
 def _advance(block: Block, people: int, fx: Any, fy: Any, dt: float) -> None:
-    """Semi-implicit Euler: new velocity, capped; then new position. Who has arrived stands."""
+    """Take a semi-implicit Euler step: cap the new velocity, then move. Who has arrived stands."""
     for i in range(people):
         for lane in range(LANES):
             vx = block.vx[i, lane] + dt * fx[i, lane]
@@ -251,6 +242,7 @@ def _advance(block: Block, people: int, fx: Any, fy: Any, dt: float) -> None:
 
 @compiled
 def walk_block(
+    block: Block,
     lane_of: Any,
     rollout_of: Any,
     starts: Any,
@@ -269,23 +261,8 @@ def walk_block(
     q: HelbingMolnar,
     paths: Any,
 ) -> None:
-    """Simulate one block; write the paths of its lanes."""
-    people, steps = starts.shape[1], accelerations.shape[1]
-    agents = people + robots.shape[2]
-    shape = (agents, LANES)
-    block = Block(
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-        np.zeros(shape),
-    )
+    """Simulate one block, which comes empty, and write the paths of its lanes."""
+    people, steps, agents = starts.shape[1], accelerations.shape[1], block.x.shape[0]
     fx, fy = np.empty((people, LANES)), np.empty((people, LANES))
     for i in range(people):
         for lane in range(LANES):

@@ -64,7 +64,7 @@ class Surroundings:
 
     @property
     def group_of(self) -> IntArray:
-        """Number of each person's group, up to the last who has one; -1 for a person without one."""
+        """Number of each person's group, up to the last who has one; -1 is a person without one."""
         members = [member for group in self.groups for member in group]
         group_of = np.full(max(members, default=-1) + 1, -1, dtype=np.int64)
         for number, group in enumerate(self.groups):

@@ -43,7 +43,6 @@ class Tracks:
     """A recording: N annotations, sorted by frame and then by person.
 
     Attributes:
-        name: what the recording is called.
         frames: [N], number of the video frame.
         people: [N], number of the person.
         positions: [N, 2], m.

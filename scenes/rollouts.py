@@ -36,16 +36,9 @@ LONGEST_HORIZON = 60.0
 class Rollouts:
     """K rollouts of one scene under each of A actions, over T steps, among P pedestrians.
 
+    All that stands before `robot` is what `simulate` was given.
+
     Attributes:
-        scene: what was simulated.
-        actions: the A actions, in the order of axis A.
-        seed: seed of the noise.
-        noise: how strongly everything was shaken.
-        limits: what the robot's motors can do.
-        model: force set.
-        engine: which engine ran.
-        wrap_angles: whether the physics is right; False repeats pysocialforce's arithmetic.
-        dt: length of a step, s.
         robot: [A, K, T+1, 3]: x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m: the same people under the same noise without the robot.

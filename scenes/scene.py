@@ -42,12 +42,7 @@ Position = tuple[Coordinate, Coordinate]
 
 @dataclass(frozen=True, config=_STRICT)
 class Wall:
-    """A straight wall.
-
-    Attributes:
-        start: one end (x, y), m.
-        end: the other end (x, y), m.
-    """
+    """A straight wall between two points (x, y), m."""
 
     start: Position
     end: Position
@@ -103,9 +98,7 @@ class Scene:
 
     Attributes:
         name: what the scene is called; files made from it bear this name.
-        robot: the robot's start and goal.
         pedestrians: the people, in a fixed order that arrays and groups refer to.
-        walls: straight walls.
         groups: people who walk together, each group a tuple of indices into `pedestrians`.
         family: kind of place: one of the four generated families, or a word of your own.
         pattern: how people meet in it: one of the six patterns, or a word of your own.
