@@ -7,15 +7,8 @@ from scenes.features import FEATURES
 from scenes.noise import NO_NOISE, Noise
 from scenes.robot import Limits
 from scenes.rollouts import Rollouts, simulate, warm_up
-from scenes.scene import (
-    Pedestrian,
-    Robot,
-    Scene,
-    Wall,
-    scene_from_file,
-    scene_from_toml,
-    scene_to_toml,
-)
+from scenes.scene import Pedestrian, Robot, Scene, Wall
+from scenes.scene_text import scene_from_file, scene_from_toml, scene_to_toml
 from scenes.tracks import busiest_frames, scene_from_tracks
 
 __all__ = [

@@ -11,7 +11,6 @@ class MetaAction:
     """One robot command, held over the whole horizon.
 
     Attributes:
-        name: what people call it.
         speed: commanded forward speed v in m/s.
         turn_rate: commanded turn rate ω in rad/s, positive to the left.
 
@@ -47,3 +46,4 @@ META_ACTIONS: tuple[MetaAction, ...] = (
     MetaAction("forward_left", 0.9, 0.25),
     MetaAction("forward_right", 0.9, -0.25),
 )
+"""The seven commands that are tried unless others are given."""

@@ -1,7 +1,8 @@
 """The outcome bank: the prospects of many scenes in one Parquet file.
 
-One row a rollout. The bank is what passes from the world of scenes to the learners; everything
-needed to make it again stands in the file's metadata under the key `prospect_studio`, as JSON.
+Each row is one rollout. The bank is what passes from the world of scenes to the learners;
+everything needed to make it again stands in the file's metadata under the key `prospect_studio`, as
+JSON.
 """
 
 import json
@@ -16,12 +17,11 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, get_args
 
-import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.crowd import Model
+from scenes.crowd import ForceSet
 from scenes.errors import check_whole
 from scenes.families import sample_scene
 from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, FEATURES, PROGRESS_SPEED
@@ -34,26 +34,31 @@ BANK_VERSION = 1
 """Version of the file's columns and metadata."""
 
 MOST_SCENES = 1_000_000
+"""Most scenes in one bank."""
+
+METRES = ("clearance_m", "deviation_m", "progress_m")
+"""The columns in metres: the first features before they are scaled, and fields of `Rollouts`."""
 
 BANK_SCHEMA = pa.schema(
-    [
-        pa.field("scene", pa.int64(), nullable=False),
-        pa.field("family", pa.string(), nullable=False),
-        pa.field("pattern", pa.string(), nullable=False),
-        pa.field("action", pa.string(), nullable=False),
-        pa.field("rollout", pa.int64(), nullable=False),
-        *(pa.field(name, pa.float64(), nullable=False) for name in FEATURES),
-        pa.field("clearance_m", pa.float64(), nullable=False),
-        pa.field("deviation_m", pa.float64(), nullable=False),
-        pa.field("progress_m", pa.float64(), nullable=False),
-    ]
+    pa.field(name, kind, nullable=False)
+    for name, kind in {
+        "scene": pa.int64(),
+        "family": pa.string(),
+        "pattern": pa.string(),
+        "action": pa.string(),
+        "rollout": pa.int64(),
+        **dict.fromkeys((*FEATURES, *METRES), pa.float64()),
+    }.items()
 )
-"""Columns of the bank; features are scaled, `_m` columns are metres."""
+"""The columns of the bank."""
 
 Progress = Callable[[int, int], None]
 """Is told how many of how many steps are done."""
 
+_KEY = b"prospect_studio"
+
 _ROWS_PER_GROUP = 20_000
+"""A group of rows is written as soon as this many rows wait for it."""
 
 
 @dataclass(frozen=True)
@@ -62,16 +67,11 @@ class BankPlan:
 
     Attributes:
         scenes: how many scenes; scene i is number i of the series.
-        seed: of the scenes and of the noise, 0 to 2⁶⁴ - 1.
-        rollouts: K, per scene and action.
-        families: names of the families to draw from; none named means all.
-        patterns: names of the patterns to draw from; none named means all.
-        horizon: simulated time, s.
-        model: force set.
-        engine: who computes.
-        noise: how strongly everything is shaken.
-        limits: what the robot's motors can do.
-        actions: the commands to try.
+        seed: seed of the scenes and of the noise, 0 to 2⁶³ - 1.
+        rollouts: K, for each scene and action.
+        families: names of the families to draw from; an empty tuple means all.
+        patterns: names of the patterns to draw from; an empty tuple means all.
+        horizon: simulated time, s; this and the following are as for `scenes.simulate`.
 
     Raises:
         InputError: if the number of scenes is out of range.
@@ -83,7 +83,7 @@ class BankPlan:
     families: tuple[str, ...] = ()
     patterns: tuple[str, ...] = ()
     horizon: float = 4.0
-    model: Model = "extended"
+    model: ForceSet = "extended"
     engine: Engine = "batched"
     noise: Noise = field(default_factory=Noise)
     limits: Limits = field(default_factory=Limits)
@@ -98,14 +98,14 @@ def write_bank(
 ) -> None:
     """Sample the bank and write it.
 
-    Scenes are simulated side by side and written in order, a few at a time: memory does not grow
-    with the number of scenes, and the file's content does not depend on the number of workers.
+    Several scenes are simulated at once, and their rows are written in the order of the scenes:
+    memory does not grow with the number of scenes, and the file does not depend on the workers.
 
     Args:
         path: the Parquet file to write.
         plan: what to sample.
-        progress: told after every scene how many of how many are done.
-        workers: how many scenes at a time; one per processor if left out.
+        progress: called after every scene with the number of scenes done and of all scenes.
+        workers: how many scenes are simulated at once; None is one per processor.
 
     Raises:
         InputError: if the plan asks for something that cannot be simulated.
@@ -113,8 +113,8 @@ def write_bank(
     if workers is None:
         workers = os.cpu_count() or 1
     check_whole("workers", workers, 1, 1024)
-    schema = BANK_SCHEMA.with_metadata({"prospect_studio": json.dumps(metadata(plan))})
-    # The first scene is simulated here: a wrong plan fails before a file is opened.
+    schema = BANK_SCHEMA.with_metadata({_KEY: json.dumps(metadata(plan))})
+    # The first scene is simulated here, so that a wrong plan fails before a file is opened.
     first = sample_rows(plan, 0)
     waiting, rows, done = [first], first.num_rows, 1
     progress = progress or (lambda _done, _total: None)
@@ -133,8 +133,8 @@ def write_bank(
 
 
 def sample_rows(plan: BankPlan, number: int) -> pa.Table:
-    """Simulate one scene of the plan; its rows."""
-    # the other processors have scenes of their own
+    """Simulate one scene of the plan, and return its rows."""
+    # One thread is enough: the other processors are busy with other scenes.
     return outcome_rows(simulate_planned(plan, planned_scene(plan, number), threads=1))
 
 
@@ -144,13 +144,7 @@ def planned_scene(plan: BankPlan, number: int) -> Scene:
 
 
 def simulate_planned(plan: BankPlan, scene: Scene, threads: int | None = None) -> Rollouts:
-    """Simulate a scene of the plan as the plan wants it; the same rollouts as in the bank.
-
-    Args:
-        plan: what was sampled.
-        scene: a scene of the plan; its name may be changed.
-        threads: as for `simulate`.
-    """
+    """Simulate a scene of the plan, whatever its name, into the same rollouts as in the bank."""
     return simulate(
         scene,
         plan.actions,
@@ -166,54 +160,44 @@ def simulate_planned(plan: BankPlan, scene: Scene, threads: int | None = None) -
 
 
 def outcome_rows(rollouts: Rollouts) -> pa.Table:
-    """The rows of one scene, [A · K] of them, action by action."""
-    actions, tries = rollouts.features.shape[:2]
-    rows = actions * tries
-    scene = rollouts.scene
-    columns: dict[str, Any] = {
-        "scene": np.full(rows, scene.number, dtype=np.int64),
-        "family": [scene.family] * rows,
-        "pattern": [scene.pattern] * rows,
-        "action": [action.name for action in rollouts.actions for _ in range(tries)],
-        "rollout": np.tile(np.arange(tries, dtype=np.int64), actions),
-    }
-    for index, name in enumerate(FEATURES):
-        columns[name] = rollouts.features[..., index].ravel()
-    columns["clearance_m"] = rollouts.clearance_m.ravel()
-    columns["deviation_m"] = rollouts.deviation_m.ravel()
-    columns["progress_m"] = rollouts.progress_m.ravel()
-    return pa.table(columns, schema=BANK_SCHEMA)
+    """The A · K rows of one scene, action by action."""
+    scene, rows = rollouts.scene, len(rollouts.actions) * rollouts.count
+    columns = (
+        [scene.number] * rows,
+        [scene.family] * rows,
+        [scene.pattern] * rows,
+        [name for name in rollouts.names for _ in range(rollouts.count)],
+        [*range(rollouts.count)] * len(rollouts.actions),
+        *rollouts.features.reshape(rows, -1).T,
+        *(getattr(rollouts, name).ravel() for name in METRES),
+    )
+    return pa.table(dict(zip(BANK_SCHEMA.names, columns, strict=True)), schema=BANK_SCHEMA)
 
 
 def metadata(plan: BankPlan) -> dict[str, Any]:
     """Everything needed to make the bank again."""
+    scales = (CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED * plan.horizon)
+    packages = ("prospect-studio", "numpy", "numba", "pysocialforce", "pyarrow")
     return {
         "bank_version": BANK_VERSION,
         **asdict(plan),
         "dt": DEFAULT_STEP,
-        "scales": {
-            "clearance_m": CLEARANCE_SCALE,
-            "deviation_m": DEVIATION_SCALE,
-            "progress_m": PROGRESS_SPEED * plan.horizon,
-        },
+        "scales": dict(zip(METRES, scales, strict=True)),
         "versions": {
             "python": platform.python_version(),
-            **{
-                name: version(name)
-                for name in ("prospect-studio", "numpy", "numba", "pysocialforce", "pyarrow")
-            },
+            **{name: version(name) for name in packages},
         },
     }
 
 
 def read_plan(path: Path) -> BankPlan | None:
-    """The plan that a bank says it was sampled by; none if it does not say, or cannot be read.
+    """The plan by which a bank was sampled; None if the file does not say it or cannot be read.
 
-    What the plan gives today is what stands in the file if the versions of all packages are the
-    same; whoever depends on it compares the features.
+    The plan gives the same rows again if the versions of all packages are the same; whoever needs
+    the same rows compares the features.
     """
     try:
-        said = json.loads((pq.read_schema(path).metadata or {})[b"prospect_studio"])
+        said = json.loads(_metadata_in(path))
         if (said["bank_version"], said["dt"]) != (BANK_VERSION, DEFAULT_STEP):
             return None
         if said["engine"] not in get_args(Engine):
@@ -227,21 +211,26 @@ def read_plan(path: Path) -> BankPlan | None:
             "actions": tuple(MetaAction(**action) for action in said["actions"]),
         }
         return BankPlan(**(plain | made))
-    except (OSError, pa.ArrowInvalid, KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError):
         return None
 
 
 def is_bank_of(plan: BankPlan, path: Path) -> bool:
-    """Whether a file is the bank that this plan gives, made with these very versions."""
+    """Whether a file is the bank of this plan, made with the versions that are installed."""
+    return _metadata_in(path) == json.dumps(metadata(plan)).encode()
+
+
+def _metadata_in(path: Path) -> bytes:
+    """The metadata of a bank as JSON; empty if the file is no bank or cannot be read."""
     try:
-        said = pq.read_schema(path).metadata or {}
+        said: bytes = (pq.read_schema(path).metadata or {}).get(_KEY, b"")
     except (OSError, pa.ArrowInvalid):
-        return False
-    return said.get(b"prospect_studio") == json.dumps(metadata(plan)).encode()
+        return b""
+    return said
 
 
 def _in_order(plan: BankPlan, numbers: range, workers: int) -> Iterator[pa.Table]:
-    """The rows of each scene in turn, with twice as many scenes under way as workers."""
+    """The rows of each scene in turn, with at most twice as many scenes under way as workers."""
     with _executor(plan.engine, workers) as pool:
         under_way: deque[Future[pa.Table]] = deque()
         try:
@@ -257,8 +246,8 @@ def _in_order(plan: BankPlan, numbers: range, workers: int) -> Iterator[pa.Table
 
 
 def _executor(engine: Engine, workers: int) -> Executor:
-    # The compiled engine lets go of the interpreter while it works, so threads run side by side;
-    # pysocialforce is Python, and needs processes.
+    # The compiled engine releases Python's interpreter lock, so its threads run at the same time;
+    # pysocialforce is plain Python and needs processes.
     if engine == "batched":
         return ThreadPoolExecutor(workers)
     return ProcessPoolExecutor(workers, mp_context=get_context("spawn"))

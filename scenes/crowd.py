@@ -1,19 +1,19 @@
 """What an engine is given: how people set out, and what surrounds them."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scenes.geometry import FloatArray
+from scenes.arrays import FloatArray, IntArray
 from scenes.scene import Scene
 
-Model = Literal["extended", "helbing-molnar"]
+ForceSet = Literal["extended", "helbing-molnar"]
 """A force set of the social force model."""
 
 WALL_POINTS_PER_METRE = 10.0
-"""People feel a wall through points this dense along it, 1/m (pysocialforce's resolution)."""
+"""How many points stand for a metre of wall in the forces, 1/m (pysocialforce's resolution)."""
 
 
 @dataclass(frozen=True)
@@ -56,15 +56,15 @@ class Surroundings:
 
     Attributes:
         wall_points: for each wall, points along it, [n, 2], m.
-        groups: people who walk together, as indices.
+        groups: indices of people who walk together.
     """
 
     wall_points: tuple[FloatArray, ...]
     groups: tuple[tuple[int, ...], ...]
 
     @property
-    def group_of(self) -> NDArray[np.int64]:
-        """Number of each grouped person's group, by person; people beyond the last are alone."""
+    def group_of(self) -> IntArray:
+        """Number of each person's group, up to the last who has one; -1 is a person without one."""
         members = [member for group in self.groups for member in group]
         group_of = np.full(max(members, default=-1) + 1, -1, dtype=np.int64)
         for number, group in enumerate(self.groups):
@@ -72,11 +72,15 @@ class Surroundings:
         return group_of
 
 
+Walk = Callable[[Crowd, Surroundings, FloatArray, ForceSet, bool, float], FloatArray]
+"""What every engine offers under the name `walk`; `scenes.batched.walk` says what it is given."""
+
+
 def surroundings_of(scene: Scene) -> Surroundings:
     """The walls and groups of a scene as the forces see them."""
     points = []
     for start, end in scene.wall_segments:
-        # As pysocialforce samples obstacles; a wall of at least 0.1 m has at least one point.
+        # pysocialforce samples its obstacles so.
         count = max(1, int(np.linalg.norm(start - end) * WALL_POINTS_PER_METRE))
         points.append(np.linspace(start, end, count))
     return Surroundings(tuple(points), scene.groups)

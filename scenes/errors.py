@@ -1,7 +1,7 @@
 """What is raised when the caller's input is wrong."""
 
 LARGEST_SEED = 2**63 - 1
-"""Seeds fit the whole numbers of Parquet and of recordings."""
+"""Largest seed: seeds fit the 64-bit whole numbers of Parquet and of recordings."""
 
 
 class InputError(ValueError):
@@ -9,6 +9,11 @@ class InputError(ValueError):
 
     The message is one line that names the field, what was given and what is allowed.
     """
+
+
+def why_unreadable(error: OSError | UnicodeDecodeError) -> str | None:
+    """Why the text of a file could not be read, in a few words."""
+    return error.strerror if isinstance(error, OSError) else "not UTF-8 text"
 
 
 def check_whole(field: str, value: int, least: int, most: int) -> None:

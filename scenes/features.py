@@ -1,28 +1,28 @@
-"""What a rollout is worth describing by: five features.
+"""What a rollout is described by: five features.
 
-Each is scaled by a fixed constant, never by the data, so that a reward θ means the same in every
-outcome bank.
+Each feature is scaled by a fixed constant, never by the data, so that a reward θ means the same in
+every outcome bank.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scenes.geometry import FloatArray, distance_to_segments, length
+from scenes.arrays import FloatArray, IntArray
+from scenes.geometry import distance_to_walls, lengths
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
 """The features φ, in the order of every feature axis and of the reward θ."""
 
 CLEARANCE_SCALE = 2.0
-"""A gap of this many metres or more is clearance 1, m."""
+"""The gap from which on the clearance is 1, m."""
 
 DEVIATION_SCALE = 0.5
-"""Pushing people this far off their paths, on average, is deviation 1, m."""
+"""How far people are pushed off their paths, on average, at deviation 1, m."""
 
 PROGRESS_SPEED = 1.0
-"""Nearing the goal at this speed over the whole horizon is progress 1, m/s."""
+"""How fast the robot nears its goal, over the whole horizon, at progress 1, m/s."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Outcomes:
     clearance_m: FloatArray
     deviation_m: FloatArray
     progress_m: FloatArray
-    contact_step: NDArray[np.int64]
+    contact_step: IntArray
 
 
 def describe(
@@ -53,26 +53,23 @@ def describe(
     """Describe rollouts by their features.
 
     Args:
-        scene: for walls and the robot's goal.
+        scene: what has the walls and the robot's goal.
         robot: [A, K, T+1, 3], x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m.
         dt: length of a step, s.
     """
     place = robot[..., :2]
-    gap = length(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    gap = lengths(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
     clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
-    aside = length(pedestrians - without_robot)  # (A, K, T+1, P)
+    aside = lengths(pedestrians - without_robot)  # (A, K, T+1, P)
     deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])
-    to_goal = length(place - np.array(scene.robot.goal))  # (A, K, T+1)
+    to_goal = lengths(place - np.array(scene.robot.goal))  # (A, K, T+1)
     progress = to_goal[..., 0] - to_goal[..., -1]
     turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
 
-    touches_wall = np.zeros((*place.shape[:3], 1), dtype=bool)
-    if scene.walls:
-        wall_gap = distance_to_segments(place, scene.wall_segments).min(axis=-1)
-        touches_wall = (wall_gap < ROBOT_RADIUS)[..., None]
-    touched = np.concatenate([gap < 0.0, touches_wall], axis=-1)  # (A, K, T+1, P+1)
+    touches_wall = distance_to_walls(place, scene.wall_segments) < ROBOT_RADIUS  # (A, K, T+1)
+    touched = np.concatenate([gap < 0.0, touches_wall[..., None]], axis=-1)  # (A, K, T+1, P+1)
     collisions = touched.any(axis=2).sum(axis=-1)
     in_contact = touched.any(axis=-1)
     first = np.where(in_contact.any(axis=-1), in_contact.argmax(axis=-1), -1)

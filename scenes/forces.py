@@ -1,4 +1,4 @@
-"""The social force model: one formula a function.
+"""The social force model, one function for each formula.
 
 Two force sets, as in pysocialforce 1.1.2, whose parameters these are:
 
@@ -7,8 +7,9 @@ self-organization in human crowds" (Proc. R. Soc. B, 2009) and "The walking beha
 social groups" (PLoS ONE, 2010); and `helbing-molnar`, after Helbing and Molnár, "Social force model
 for pedestrian dynamics" (Phys. Rev. E 51, 1995).
 
-A force is an acceleration in m/s². Every formula takes and returns plain numbers, without branches
-that the compiler could not turn into selections: the engine calls them in a loop over lanes.
+A force is an acceleration in m/s². Every formula takes and returns plain numbers and has only
+branches that the compiler can turn into selections, because the engine calls it in a loop over
+lanes.
 """
 
 import math
@@ -24,7 +25,7 @@ class Extended(NamedTuple):
 
     Attributes:
         relaxation_time: time in which a person takes up the desired velocity, s.
-        goal_threshold: nearer to the goal than this a person brakes, m.
+        goal_threshold: distance to the goal within which a person brakes, m.
         social_factor: strength of the force between people, m/s².
         velocity_weight: λ, how much relative velocity turns the direction of interaction, s/m.
         range_per_interaction: γ, range of the force per length of the interaction vector, m.
@@ -32,11 +33,11 @@ class Extended(NamedTuple):
         angular_width_turn: n, decay with angle of the part that turns, 1/(m rad).
         wall_factor: strength of a wall point, m/s².
         wall_range: σ, decay of the wall force, m.
-        wall_threshold: walls further away than this (and the body radius) are not felt, m.
+        wall_threshold: a wall is felt up to a gap of this plus the body radius, m.
         body_radius: radius at which a person meets a wall, m.
         coherence_factor: strength of the pull to the group's centre, 1/s².
         repulsion_factor: strength of the push between members too close, 1/s².
-        repulsion_threshold: members closer than this push one another, m.
+        repulsion_threshold: distance within which members push one another, m.
         gaze_factor: strength of the force that keeps the group in view, m/s².
     """
 
@@ -66,7 +67,7 @@ class HelbingMolnar(NamedTuple):
         pair_potential: V⁰, height of the potential around a person, m²/s².
         pair_range: σ, decay of that potential, m.
         sight_angle: φ, half the angle of sight, rad.
-        out_of_sight: c, weight of what is behind a person, dimensionless.
+        out_of_sight: c, weight of forces from behind a person, dimensionless.
         wall_potential: U⁰, height of the potential of a wall, m²/s².
         wall_range: R, decay of that potential, m.
     """
@@ -85,20 +86,20 @@ EXTENDED = Extended()
 HELBING_MOLNAR = HelbingMolnar()
 
 MAX_SPEED_FACTOR = 1.3
-"""Nobody walks faster than this times the desired speed (Helbing and Molnár 1995, section III)."""
+"""Greatest speed in units of the desired speed (Helbing and Molnár 1995, section III)."""
 
 ARRIVAL_DISTANCE = 0.5
-"""Nearer to the goal than this a person has arrived and stands, m."""
+"""Distance to the goal within which a person has arrived and stands, m."""
 
 SMALLEST_ANGLE = 1e-9
-"""Angles below this are no side to pass on, rad.
+"""Angles below this count as 0, rad.
 
 The turning force jumps with the sign of an angle. In a perfectly symmetric meeting that angle is
-rounding error, and the side would be drawn by the last bit of a coordinate.
+rounding error, and the last bit of a coordinate would choose the side on which people pass.
 """
 
 DIFFERENCE_STEP = 1e-3
-"""Step of the library's one-sided difference quotients, m."""
+"""Step of pysocialforce's one-sided difference quotients, m."""
 
 
 @lane
@@ -113,9 +114,9 @@ def unit(x: float, y: float) -> tuple[float, float, float]:
 def relaxation(
     ex: float, ey: float, distance: float, speed: float, vx: float, vy: float, p: Extended
 ) -> Vector:
-    """Towards the desired velocity, or to a halt at the goal.
+    """Pull towards the desired velocity, or to a halt at the goal.
 
-    The driving term of Moussaïd et al. 2009; (ex, ey) points to the goal at this distance.
+    This is the driving term of Moussaïd et al. 2009; (ex, ey) is the direction to the goal.
     """
     pull = speed if distance > p.goal_threshold else 0.0
     return (pull * ex - vx) / p.relaxation_time, (pull * ey - vy) / p.relaxation_time
@@ -144,11 +145,10 @@ def _turn_and_brake(
 def social(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
     """Force from one other person (Moussaïd et al. 2009, the interaction law).
 
-    Along D = λ(v_i - v_j) + e_ij, with e_ij towards the other; as in pysocialforce, -D is computed.
-
-    (rx, ry) is own position minus the other's; (wx, wy) the other's velocity minus one's own. The
-    angle from the line between the two to the interaction vector D is taken in one piece, from
-    cross and dot product, so that it is the same whichever way the axes point.
+    It acts along the interaction vector D = λ(v_i - v_j) + e_ij, where e_ij points to the other
+    person; like pysocialforce, the code computes -D. (rx, ry) is the own position minus the
+    other's, and (wx, wy) the other's velocity minus the own. The angle from the line between the
+    two to D comes from one cross and dot product, so it is the same whichever way the axes point.
     """
     ux, uy, distance = unit(rx, ry)
     tx, ty, length = unit(p.velocity_weight * wx + ux, p.velocity_weight * wy + uy)
@@ -159,9 +159,9 @@ def social(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
 
 @lane
 def social_as_in_library(rx: float, ry: float, wx: float, wy: float, p: Extended) -> Vector:
-    """As `social`, with the angle as pysocialforce takes it: a difference of two angles, unwrapped.
+    """`social` with pysocialforce's angle, a difference of two angles that is not wrapped.
 
-    For two people in line along -x the difference jumps by 2π, and the force all but vanishes.
+    For two people in line along -x the difference jumps by 2π, and the force almost vanishes.
     """
     ux, uy, distance = unit(rx, ry)
     tx, ty, length = unit(p.velocity_weight * wx + ux, p.velocity_weight * wy + uy)
@@ -173,9 +173,9 @@ def social_as_in_library(rx: float, ry: float, wx: float, wy: float, p: Extended
 def wall_point(rx: float, ry: float, p: Extended) -> Vector:
     """Push of one point of a wall; (rx, ry) points from it to the person.
 
-    Decays exponentially, as walls do in Moussaïd et al. 2009. The caller sums over the points of a
-    wall, as pysocialforce does, and multiplies by exp(body radius/σ), which turns the decay with
-    distance into one with the gap.
+    It decays exponentially, like the walls of Moussaïd et al. 2009. The caller sums over the points
+    of a wall, as pysocialforce does, and multiplies by exp(body radius/σ), which turns the decay
+    with the distance into a decay with the gap.
     """
     ux, uy, distance = unit(rx, ry)
     gap = distance - p.body_radius
@@ -188,7 +188,7 @@ def wall_point(rx: float, ry: float, p: Extended) -> Vector:
 def coherence(cx: float, cy: float, size: float) -> Vector:
     """Pull to the group's centre of mass, (cx, cy) away (Moussaïd et al. 2010, attraction).
 
-    Softened by a hyperbolic tangent around the distance (size - 1)/2, as in pedsim_ros.
+    A hyperbolic tangent around the distance (size - 1)/2 softens it, as in pedsim_ros.
     """
     distance = math.sqrt(cx * cx + cy * cy)
     # (tanh(z) + 1)/2 = 1/(1 + exp(-2z)), written for an exponent that is never positive.
@@ -200,7 +200,7 @@ def coherence(cx: float, cy: float, size: float) -> Vector:
 
 @lane
 def coherence_as_in_library(cx: float, cy: float, size: float) -> Vector:
-    """As `coherence`, softened as by pysocialforce, which takes every distance for 0 here."""
+    """`coherence` softened as in pysocialforce, which takes every distance for 0 here."""
     e = math.exp(-(size - 1.0))
     soft = e / (1.0 + e)
     return soft * cx, soft * cy
@@ -208,17 +208,17 @@ def coherence_as_in_library(cx: float, cy: float, size: float) -> Vector:
 
 @lane
 def repulsion(rx: float, ry: float, p: Extended) -> Vector:
-    """Push from a member who is too close, along own minus the other's position."""
+    """Push from a member who is too close; (rx, ry) is the own position minus the member's."""
     close = math.sqrt(rx * rx + ry * ry) <= p.repulsion_threshold
     return (rx if close else 0.0), (ry if close else 0.0)
 
 
 @lane
 def gaze(ex: float, ey: float, goal_distance: float, cx: float, cy: float) -> Vector:
-    """Walk so that the others, whose centre is (cx, cy) away, stay in view.
+    """Keep the others, whose centre is (cx, cy) away, in view.
 
-    Slows who is ahead and speeds up who is behind (Moussaïd et al. 2010, vision, in the form of
-    pedsim_ros).
+    This slows a person who is ahead of the others and speeds up one who is behind (Moussaïd et al.
+    2010, vision, in the form of pedsim_ros).
     """
     ahead = ex * cx + ey * cy
     pull = ahead / (goal_distance if goal_distance > 0.0 else 1e30)
@@ -229,7 +229,7 @@ def gaze(ex: float, ey: float, goal_distance: float, cx: float, cy: float) -> Ve
 def attraction(
     ex: float, ey: float, speed: float, vx: float, vy: float, p: HelbingMolnar
 ) -> Vector:
-    """Towards the desired velocity (Helbing and Molnár 1995, eq. 2)."""
+    """Pull towards the desired velocity (Helbing and Molnár 1995, eq. 2)."""
     return (speed * ex - vx) / p.relaxation_time, (speed * ey - vy) / p.relaxation_time
 
 
@@ -249,21 +249,21 @@ def _semi_minor_axis(rx: float, ry: float, sx: float, sy: float) -> float:
 def pair(rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar) -> Vector:
     """Negative gradient of the potential around another person (Helbing and Molnár 1995, eq. 3).
 
-    (rx, ry) is own position minus the other's, (sx, sy) the other's next step Δt v e.
+    (rx, ry) is the own position minus the other's, and (sx, sy) the other's next step Δt v e.
     """
     ux, uy, near = unit(rx, ry)
     wx, wy, far = unit(rx - sx, ry - sy)
     b = _semi_minor_axis(rx, ry, sx, sy)
     strength = p.pair_potential / p.pair_range * exp_of_negative(-b / p.pair_range)
     # ∇b = (‖r‖ + ‖r - s‖)/(4b) (r/‖r‖ + (r - s)/‖r - s‖); on the step itself b = 0 and the two
-    # directions cancel, so the floor only keeps 0/0 away.
+    # directions cancel, so the floor only prevents 0/0.
     slope = strength * (near + far) / (4.0 * (b if b > 1e-9 else 1e-9))
     return slope * (ux + wx), slope * (uy + wy)
 
 
 @lane
 def pair_as_in_library(rx: float, ry: float, sx: float, sy: float, p: HelbingMolnar) -> Vector:
-    """As `pair`, with the gradient as pysocialforce takes it: by one-sided differences."""
+    """`pair` with pysocialforce's gradient, which it takes by one-sided differences."""
     here = exp_of_negative(-_semi_minor_axis(rx, ry, sx, sy) / p.pair_range)
     right = exp_of_negative(-_semi_minor_axis(rx + DIFFERENCE_STEP, ry, sx, sy) / p.pair_range)
     above = exp_of_negative(-_semi_minor_axis(rx, ry + DIFFERENCE_STEP, sx, sy) / p.pair_range)
@@ -273,7 +273,7 @@ def pair_as_in_library(rx: float, ry: float, sx: float, sy: float, p: HelbingMol
 
 @lane
 def in_sight(ex: float, ey: float, fx: float, fy: float, p: HelbingMolnar) -> Vector:
-    """The force as it is felt: weaker from behind (Helbing and Molnár 1995, eq. 7)."""
+    """The force (fx, fy) as it is felt, weaker from behind (Helbing and Molnár 1995, eq. 7)."""
     along = -(ex * fx + ey * fy)
     seen = along > math.sqrt(fx * fx + fy * fy) * math.cos(p.sight_angle)
     weight = 1.0 if seen else p.out_of_sight
@@ -293,7 +293,7 @@ def wall_gradient(rx: float, ry: float, p: HelbingMolnar) -> Vector:
 
 @lane
 def wall_gradient_as_in_library(rx: float, ry: float, p: HelbingMolnar) -> Vector:
-    """As `wall_gradient`, with the gradient as pysocialforce takes it: by one-sided differences."""
+    """`wall_gradient` with pysocialforce's gradient, which it takes by one-sided differences."""
     _, _, distance = unit(rx, ry)
     _, _, right = unit(rx + DIFFERENCE_STEP, ry)
     _, _, above = unit(rx, ry + DIFFERENCE_STEP)

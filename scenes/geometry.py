@@ -1,16 +1,23 @@
-"""Distances between points and straight segments."""
+"""Lengths, and distances between points and straight segments."""
+
+import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from scenes.arrays import FloatArray
 
 
-def length(vectors: FloatArray) -> FloatArray:
+def lengths(vectors: FloatArray) -> FloatArray:
     """Length of each vector of the last axis, [..., 2] to [...]."""
     x, y = vectors[..., 0], vectors[..., 1]
     result: FloatArray = np.sqrt(x * x + y * y)
     return result
+
+
+def directions(count: int) -> FloatArray:
+    """Unit vectors in evenly spaced directions, the first along x, [count, 2]."""
+    angles = np.linspace(0.0, math.tau, count, endpoint=False)
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
 def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
@@ -41,4 +48,17 @@ def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray
     Returns:
         [..., W], m.
     """
-    return length(nearest_on_segments(points, segments) - points[..., None, :])
+    return lengths(nearest_on_segments(points, segments) - points[..., None, :])
+
+
+def distance_to_people(points: FloatArray, people: FloatArray) -> FloatArray:
+    """Distance of each point, [N, 2], to the nearest of people, [P, 2]: [N], inf without."""
+    apart = np.linalg.norm(points[:, None] - people, axis=-1)
+    nearest: FloatArray = apart.min(axis=1, initial=np.inf)
+    return nearest
+
+
+def distance_to_walls(points: FloatArray, segments: FloatArray) -> FloatArray:
+    """Distance of each point, [..., 2], to the nearest of walls, [W, 2, 2]: [...], inf without."""
+    nearest: FloatArray = distance_to_segments(points, segments).min(axis=-1, initial=np.inf)
+    return nearest

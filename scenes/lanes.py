@@ -1,9 +1,9 @@
 """Arithmetic that a compiler can run in lanes.
 
 The engine keeps the rollouts of a scene side by side, one in each lane of a vector register. That
-works only if every operation is plain arithmetic: one call into the C library's `exp` or `atan2`
-and the compiler falls back to one rollout at a time. So both are written here as polynomials,
-without branches, accurate to about 1e-15 (relative for exp, absolute for the angle).
+works only if every operation is plain arithmetic: a single call of the C library's `exp` or `atan2`
+makes the compiler fall back to one rollout at a time. So both functions are written here as
+polynomials without branches, accurate to about 1e-15 (relative for exp, absolute for the angle).
 """
 
 import math
@@ -17,11 +17,11 @@ Formula = TypeVar("Formula", bound=Callable[..., Any])
 
 
 def lane(function: Formula) -> Formula:
-    """Compile a formula so that it dissolves into the loop over lanes that calls it.
+    """Compile a formula so that it becomes part of the loop over lanes that calls it.
 
-    It is inlined whatever its size: a call that is left standing keeps the loop from being
-    vectorised. The numpy error model lets a division by zero give inf, as in numpy, instead of
-    raising, which would be a branch.
+    It is inlined whatever its size, because a call inside the loop keeps the loop from being
+    vectorised. Under numpy's error model a division by zero gives inf; raising an error instead
+    would be a branch.
     """
     return cast(Formula, njit(error_model="numpy", inline="always")(function))
 
@@ -30,7 +30,7 @@ _LOWEST = -700.0
 _LOG2_E = math.log2(math.e)
 _LN2_HIGH = float.fromhex("0x1.62e42fee00000p-1")
 _LN2_LOW = float.fromhex("0x1.a39ef35793c76p-33")
-_TO_INTEGER = 1.5 * 2.0**52  # adding it rounds to an integer, which then stands in the low bits
+_TO_INTEGER = 1.5 * 2.0**52  # adding it rounds to an integer in the low bits
 _EXPONENT_BITS = np.int64(52)
 _EXPONENT_BIAS = np.int64(1023)
 _E2, _E3, _E4, _E5, _E6, _E7, _E8, _E9, _E10, _E11, _E12 = (
@@ -42,8 +42,8 @@ _E2, _E3, _E4, _E5, _E6, _E7, _E8, _E9, _E10, _E11, _E12 = (
 def exp_of_negative(x: float) -> float:
     """exp(x) for x ≤ 0; exactly 0 below -700, where no force is felt.
 
-    exp(x) = 2^k exp(r) with r = x - k ln 2, |r| ≤ ln(2)/2: a Taylor polynomial, and k moved into
-    the exponent bits.
+    exp(x) = 2^k exp(r) with r = x - k ln 2 and |r| ≤ ln(2)/2: exp(r) is a Taylor polynomial, and k
+    is added to the exponent bits.
     """
     felt = x > _LOWEST
     y = x if felt else 0.0
@@ -80,8 +80,8 @@ _HALF_TURN = math.pi
 def angle_of(y: float, x: float) -> float:
     """atan2(y, x) in [-π, π]; 0 for the zero vector.
 
-    The ratio of the smaller to the larger component, folded once more at tan(π/8), leaves
-    |t| ≤ tan(π/8), where eleven terms suffice; the folds are then undone.
+    The ratio of the smaller to the larger component is folded once more at tan(π/8). That leaves
+    |t| ≤ tan(π/8), where a polynomial of eleven terms suffices; then the folds are undone.
     """
     across, along = abs(y), abs(x)
     steep = across > along

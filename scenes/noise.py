@@ -1,54 +1,53 @@
 """Everything random about a rollout, drawn from one seed.
 
-Each rollout has a random stream of its own: Philox, a counter-based generator (Salmon et al.,
-"Parallel random numbers: as easy as 1, 2, 3", SC 2011), keyed by seed, scene and rollout. What a
-rollout draws therefore depends on nothing else: not on how many rollouts there are, in what
-order, on how many threads, or under which action. The actions of a scene share it (common random
-numbers), so a difference between two actions is never a difference of luck. A longer horizon only
-adds to the end of the stream.
+Each rollout has a random stream of its own, keyed by seed, scene and rollout. What a rollout draws
+therefore depends on nothing else: not on the number of rollouts, their order, the threads or the
+action. The actions of a scene share the stream (common random numbers), so two actions never differ
+by luck. A longer horizon only adds to the end of the stream.
 """
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from statistics import NormalDist
 
 import numpy as np
 
+from scenes.arrays import FloatArray
 from scenes.crowd import Crowd
 from scenes.errors import InputError
-from scenes.geometry import FloatArray
 from scenes.scene import Scene
+from scenes.streams import rollout_stream
 
 TRUNCATION = 2.0
-"""Desired speeds and starts stay within this many standard deviations, dimensionless."""
+"""How many standard deviations desired speeds and starts stray at most, dimensionless."""
 
 SLOWEST_WALK = 0.1
-"""A person who walks never wants to be slower than this, m/s."""
+"""Least desired speed of a person who walks, m/s."""
 
 NOISE_STEP = 0.1
-"""Step for which the sd of the acceleration fluctuation is given, s."""
+"""Step for which the standard deviation of the fluctuation is given, s."""
 
 _STANDARD = NormalDist()
 
 
 @dataclass(frozen=True)
 class Noise:
-    """How strongly each thing is shaken: standard deviations, 0 for not at all.
+    """How strongly each thing is shaken, as standard deviations; 0 leaves it undisturbed.
 
     Attributes:
-        start: of each coordinate of a pedestrian's start, m; truncated at two sd.
-        desired_speed: of a walker's desired speed, m/s; truncated at two sd (Helbing and Molnár
+        start: of each coordinate of a pedestrian's start, m; truncated at twice that.
+        desired_speed: of a walker's desired speed, m/s; truncated at twice that (Helbing and Molnár
             1995, section III: 0.26 m/s about a mean of 1.34 m/s).
         goal: of each coordinate of a walker's goal, m.
-        acceleration: of each component of a walker's acceleration, anew each step of 0.1 s, m/s²:
-            the fluctuation term of the social force model. Other steps scale it so that the
-            paths spread alike. At 0.5 m/s² one person in a thousand brushes against a robot
-            that stands in plain view; at 1 m/s², one in forty.
+        acceleration: of each component of a walker's acceleration, drawn anew for each step, m/s²:
+            the fluctuation term of the social force model. It holds for steps of 0.1 s; for other
+            steps it is scaled so that paths spread alike. At 0.5 m/s² one person in a thousand
+            brushes against a robot that stands in plain view; at 1 m/s², one in forty.
         robot_speed: of the robot's speed relative to the speed it tries to drive, dimensionless.
-        robot_turn: of the robot's turn rate while it drives at 1 m/s, rad/s; in proportion at other
-            speeds, so a robot that stands does not turn.
-        robot_memory: time over which the robot's errors stay alike, s; they are
-            Ornstein-Uhlenbeck processes.
+        robot_turn: of the robot's turn rate while it drives at 1 m/s, rad/s; at other speeds it is
+            proportional to the speed, so a robot that stands does not turn.
+        robot_memory: correlation time of the robot's two errors, which are Ornstein-Uhlenbeck
+            processes, s.
 
     Raises:
         InputError: if a value is negative or not finite.
@@ -94,14 +93,14 @@ def disturb(
 
     Args:
         scene: what is shaken; its number keys the noise.
-        noise: how strongly.
+        noise: how strongly it is shaken.
         rollouts: K.
         steps: T.
         dt: length of a step, s.
         seed: 0 to 2⁶³ - 1.
     """
     people = len(scene.pedestrians)
-    starts = np.empty((rollouts, people, 2))  # standard deviations, for now
+    starts = np.empty((rollouts, people, 2))  # in standard deviations, until `_set_out`
     goals = np.empty((rollouts, people, 2))
     speeds = np.empty((rollouts, people))
     fluctuations = np.empty((rollouts, steps, people, 2))
@@ -118,28 +117,16 @@ def disturb(
     shake = noise.acceleration * math.sqrt(NOISE_STEP / dt) * (crowd.desired_speeds > 0.0)
     errors = _correlate(errors, dt, noise.robot_memory)
     return Disturbance(
-        crowd=Crowd(
-            crowd.starts,
-            crowd.velocities,
-            crowd.goals,
-            crowd.desired_speeds,
-            shake[:, None, :, None] * fluctuations,
-        ),
+        crowd=replace(crowd, accelerations=shake[:, None, :, None] * fluctuations),
         robot_speed=noise.robot_speed * errors[..., 0],
         robot_turn=noise.robot_turn * errors[..., 1],
     )
 
 
-def rollout_stream(seed: int, scene_number: int, rollout: int) -> np.random.Generator:
-    """The random stream of one rollout of one scene."""
-    key = np.array([seed, scene_number << 32 | rollout], dtype=np.uint64)
-    return np.random.Generator(np.random.Philox(key=key))
-
-
 def _set_out(
     scene: Scene, noise: Noise, starts: FloatArray, goals: FloatArray, speeds: FloatArray
 ) -> Crowd:
-    """The crowd at time 0, from standardised random numbers; no fluctuation yet."""
+    """The crowd at time 0, from standardised random numbers; its fluctuations are still missing."""
     people = scene.pedestrians
     rollouts = len(starts)
     nominal_start = scene.starts
@@ -150,8 +137,8 @@ def _set_out(
     start = nominal_start + noise.start * np.clip(starts, -TRUNCATION, TRUNCATION)
     speed = np.maximum(nominal_speed + noise.desired_speed * speeds, SLOWEST_WALK)
     speed = np.where(walks, speed, 0.0)
-    # Where a person who stands would like to go means nothing, but it must not be where the person
-    # is: a direction of length zero is not a number in pysocialforce.
+    # The goal of a person who stands means nothing, but it must not be where the person is:
+    # pysocialforce divides by the distance to the goal.
     goal = np.where(
         walks[:, None], nominal_goal + noise.goal * goals, nominal_start + np.array([1.0, 0.0])
     )
@@ -168,7 +155,7 @@ def _set_out(
 
 
 def _faster_by(recorded: FloatArray, difference: FloatArray) -> FloatArray:
-    """A recorded velocity, [2], faster by each difference, [K], in the same direction, [K, 2]."""
+    """A recorded velocity, [2], made faster by each difference, [K], in its direction: [K, 2]."""
     pace = float(np.hypot(*recorded))
     faster = np.maximum(pace + difference, 0.0) / pace if pace > 0.0 else np.zeros(len(difference))
     return faster[:, None] * recorded

@@ -1,7 +1,7 @@
 """The reference engine: pysocialforce itself, one rollout after another.
 
-Slow, and the measure of the batched engine. Where the library's arithmetic is wrong (see
-`scenes.simulate`), subclasses here put it right or leave it, as `wrap_angles` says; the rest is the
+It is slow, and the batched engine is measured by it. Where the library's arithmetic is wrong (see
+`scenes.simulate`), subclasses here put it right if `wrap_angles` asks for it; the rest is the
 library's own code.
 """
 
@@ -13,23 +13,23 @@ from typing import Any
 
 import numpy as np
 
-from scenes.crowd import Crowd, Model, Surroundings
+from scenes.arrays import FloatArray
+from scenes.crowd import Crowd, ForceSet, Surroundings
 from scenes.forces import MAX_SPEED_FACTOR, SMALLEST_ANGLE
-from scenes.geometry import FloatArray
 
 
 @contextmanager
 def _unheard() -> Iterator[None]:
     """Keep the side effects of importing pysocialforce away from the user.
 
-    On import it sets the root logger to DEBUG, hangs two handlers on it, opens `file.log` in the
-    working directory and loads matplotlib for drawing that is not used here.
+    Its import sets the root logger to DEBUG, adds two handlers to it, opens `file.log` in the
+    working directory and loads matplotlib, which is not needed here.
     """
     root = logging.getLogger()
     level, handlers, open_file = root.level, list(root.handlers), logging.FileHandler
     hidden = [name for name in ("matplotlib", "matplotlib.pyplot") if name not in sys.modules]
     logging.FileHandler = lambda *_args, **_keywords: logging.NullHandler()  # type: ignore[assignment, misc]
-    sys.modules.update(dict.fromkeys(hidden))  # type: ignore[arg-type]  # None: not to be found
+    sys.modules.update(dict.fromkeys(hidden))  # type: ignore[arg-type]  # None hides a module
     try:
         yield
     finally:
@@ -100,7 +100,7 @@ class GroupCoherenceForceAlt(library.GroupCoherenceForceAlt):  # type: ignore[mi
 
 
 class MendedPotential(PedPedPotential):  # type: ignore[misc]
-    """The library hands on directions and distances together; only the directions are meant."""
+    """The library's potential, given only directions where the library also gives distances."""
 
     def value_r_ab(self, r_ab: FloatArray, speeds: FloatArray, directions: Any) -> Any:
         """Potential at each r_ab; `directions` is the library's pair of directions, distances."""
@@ -131,7 +131,7 @@ class PedRepulsiveForce(library.PedRepulsiveForce):  # type: ignore[misc]
     """The library's force between people, on a potential that works."""
 
     def __init__(self, potential: type[PedPedPotential]) -> None:
-        """Take the potential that is walked down."""
+        """Take the potential whose gradient is the force."""
         super().__init__()
         self.potential = potential
 
@@ -170,9 +170,9 @@ class SpaceRepulsiveForce(library.SpaceRepulsiveForce):  # type: ignore[misc]
         return total
 
 
-def _force_set(model: Model, wrap_angles: bool) -> list[Any]:
-    # A force reads the section of the library's settings that its class is named after, so the
-    # classes above bear the library's names.
+def _force_set(model: ForceSet, wrap_angles: bool) -> list[Any]:
+    # A force reads its settings from the section that has the name of its class, so the classes
+    # above bear the library's names.
     if model == "extended":
         return [
             library.DesiredForce(),
@@ -193,11 +193,11 @@ def walk(
     crowd: Crowd,
     surroundings: Surroundings,
     robots: FloatArray,
-    model: Model,
+    model: ForceSet,
     wrap_angles: bool,
     dt: float,
 ) -> FloatArray:
-    """Let the crowd walk, once for each robot path; arguments and result as `batched.walk`."""
+    """Let the crowd walk, once for each robot path; see `scenes.batched.walk`."""
     actions, rollouts, _, _, _ = robots.shape
     paths = np.empty((actions, rollouts, crowd.steps + 1, crowd.people, 2))
     if crowd.people == 0:
@@ -215,7 +215,7 @@ def _walk_once(
     rollout: int,
     surroundings: Surroundings,
     robots: FloatArray,
-    model: Model,
+    model: ForceSet,
     wrap_angles: bool,
     dt: float,
 ) -> FloatArray:
@@ -228,8 +228,8 @@ def _walk_once(
     simulator = pysocialforce.Simulator(state, groups=[list(g) for g in surroundings.groups])
     simulator.env._obstacles = list(surroundings.wall_points)
 
-    # The library walks people at their initial speed, or at 1.3 times that; here the desired speed
-    # is given, and people may set out at another.
+    # The library takes people's initial speed, or 1.3 times it, for their desired speed; here
+    # people have a desired speed of their own and may set out at another.
     desired = np.concatenate([crowd.desired_speeds[rollout], np.zeros(agents - people)])
     drawn_to_cap = model == "extended"
     simulator.peds.initial_speeds = desired / MAX_SPEED_FACTOR if drawn_to_cap else desired
@@ -244,7 +244,7 @@ def _walk_once(
 
     path = np.empty((crowd.steps + 1, people, 2))
     path[0] = crowd.starts[rollout]
-    # Zero over zero is how the library finds out that someone stands still.
+    # For a person who stands still, the library divides zero by zero.
     with np.errstate(divide="ignore", invalid="ignore"):
         for step in range(crowd.steps):
             simulator.step_once()
@@ -254,6 +254,6 @@ def _walk_once(
 
 
 def _robot_rows(robots: FloatArray) -> FloatArray:
-    """State rows of robots, [R, 6]; a robot's goal is always a metre ahead, as it drives."""
+    """The library's state of robots, [R, 6]; a robot's goal is always one metre ahead of it."""
     ahead = np.stack([np.cos(robots[:, 2]), np.sin(robots[:, 2])], axis=-1)
     return np.concatenate([robots[:, :2], robots[:, 3:4] * ahead, robots[:, :2] + ahead], axis=-1)

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes.actions import MetaAction
+from scenes.arrays import FloatArray
 from scenes.errors import InputError
-from scenes.geometry import FloatArray, distance_to_segments, length
+from scenes.geometry import distance_to_walls, lengths
 from scenes.noise import Disturbance
 from scenes.scene import ROBOT_RADIUS, Scene
 
@@ -43,8 +44,9 @@ def drive(
 ) -> FloatArray:
     """Drive each action in each rollout.
 
-    The robot takes up the commanded speed and turn rate within its limits; the noise acts on what
-    the wheels make of it. A wall stops it for good: it stands where its disc first touches one.
+    The robot takes up the commanded speed and turn rate as fast as its limits allow; the noise acts
+    on the speed and turn rate that its motors reach. A wall stops the robot for good: it stands
+    where its disc first touches one.
 
     Returns:
         [A, K, T+1, 4]: x and y in m, heading in rad, speed in m/s.
@@ -71,13 +73,13 @@ def drive(
 
 
 def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
-    """The path up to where the robot first touches a wall; there it stays.
+    """The path up to where the robot first touches a wall; there the robot stays.
 
-    Steps that are longer than the robot's radius are looked at in pieces: none jumps over a wall.
+    Steps longer than the robot's radius are checked in pieces, so that none jumps over a wall.
     """
     if not len(walls):
         return path
-    moves = length(np.diff(path[..., :2], axis=2)).max(initial=0.0)
+    moves = lengths(np.diff(path[..., :2], axis=2)).max(initial=0.0)
     pieces = max(1, math.ceil(moves / ROBOT_RADIUS))
     if pieces > 1:
         share = np.arange(pieces)[:, None] / pieces
@@ -85,7 +87,7 @@ def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
         fine = np.concatenate([between.reshape(*path.shape[:2], -1, 4), path[:, :, -1:]], axis=2)
     else:
         fine = path
-    touches = distance_to_segments(fine[..., :2], walls).min(axis=-1) < ROBOT_RADIUS
+    touches = distance_to_walls(fine[..., :2], walls) < ROBOT_RADIUS
     last = np.where(touches.any(axis=-1), touches.argmax(axis=-1), fine.shape[2])  # (A, K)
     place = np.minimum(np.arange(path.shape[2]) * pieces, last[..., None])  # (A, K, T+1)
     stopped = np.take_along_axis(fine, place[..., None], axis=2)

@@ -1,17 +1,17 @@
-"""Simulate a scene under each action, many times."""
+"""Rollouts: a scene simulated many times under each action."""
 
 import math
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.crowd import Model, surroundings_of
+from scenes.arrays import BoolArray, FloatArray, IntArray
+from scenes.crowd import ForceSet, Walk, surroundings_of
 from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.features import describe
-from scenes.geometry import FloatArray
 from scenes.noise import Noise, disturb
 from scenes.robot import Limits, drive
 from scenes.scene import Pedestrian, Robot, Scene
@@ -23,37 +23,30 @@ DEFAULT_STEP = 0.1
 """Length of a step, s."""
 
 MOST_ROLLOUTS = 10_000
+"""Most rollouts of one action."""
+
 MOST_POSITIONS = 100_000_000
-"""Positions of people in one simulation; they and what is made of them fill about 5 GB."""
+"""Most positions of people in one simulation; with all that is made of them they fill 5 GB."""
 
 LONGEST_HORIZON = 60.0
-"""Beyond this a meta-action held all the time describes no robot, s."""
+"""Longest simulated time, s: no robot holds one command for longer."""
 
 
 @dataclass(frozen=True)
 class Rollouts:
     """K rollouts of one scene under each of A actions, over T steps, among P pedestrians.
 
+    All that stands before `robot` is what `simulate` was given.
+
     Attributes:
-        scene: what was simulated.
-        actions: the A actions, in the order of axis A.
-        seed: seed of the noise.
-        noise: how strongly everything was shaken.
-        limits: what the robot's motors can do.
-        model: force set.
-        engine: which engine ran.
-        wrap_angles: False if pysocialforce's arithmetic was repeated.
-        dt: length of a step, s.
         robot: [A, K, T+1, 3]: x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
-        without_robot: [K, T+1, P, 2], m: the same people under the same noise had the robot not
-            been there.
-        features: [A, K, 5], scaled, in the order of `FEATURES`.
-        clearance_m: [A, K]: smallest gap between the robot and any pedestrian, within 0 to 2 m, m.
-        deviation_m: [A, K]: mean distance of the pedestrians from their paths without the robot, m.
-        progress_m: [A, K]: how much closer the robot got to its goal, m.
-        contact_step: [A, K]: first step at which the robot touches a pedestrian or a wall;
-            -1 if it never does.
+        without_robot: [K, T+1, P, 2], m: the same people under the same noise without the robot.
+        features: [A, K, 5], as `scenes.features.Outcomes` describes them, and so are the next four.
+        clearance_m: [A, K], m.
+        deviation_m: [A, K], m.
+        progress_m: [A, K], m.
+        contact_step: [A, K].
     """
 
     scene: Scene
@@ -61,7 +54,7 @@ class Rollouts:
     seed: int
     noise: Noise
     limits: Limits
-    model: Model
+    model: ForceSet
     engine: Engine
     wrap_angles: bool
     dt: float
@@ -72,7 +65,7 @@ class Rollouts:
     clearance_m: FloatArray
     deviation_m: FloatArray
     progress_m: FloatArray
-    contact_step: NDArray[np.int64]
+    contact_step: IntArray
 
     @property
     def count(self) -> int:
@@ -90,9 +83,9 @@ class Rollouts:
         return tuple(action.name for action in self.actions)
 
     @property
-    def touched(self) -> NDArray[np.bool_]:
+    def touched(self) -> BoolArray:
         """[A, K]: whether the robot ever touches a pedestrian or a wall."""
-        touched: NDArray[np.bool_] = self.contact_step >= 0
+        touched: BoolArray = self.contact_step >= 0
         return touched
 
     @property
@@ -109,7 +102,7 @@ def simulate(
     engine: Engine = "batched",
     noise: Noise = Noise(),  # noqa: B008  # frozen
     *,
-    model: Model = "extended",
+    model: ForceSet = "extended",
     horizon: float = 4.0,
     dt: float = DEFAULT_STEP,
     wrap_angles: bool = True,
@@ -124,20 +117,21 @@ def simulate(
     Args:
         scene: what to simulate.
         actions: the commands to try.
-        rollouts: K, how often each is tried; the k-th try of every action has the same noise.
-        seed: of the noise.
+        rollouts: K, for each action; the k-th rollout of every action has the same noise.
+        seed: seed of the noise.
         engine: who computes.
         noise: how strongly everything is shaken.
         model: force set of the social force model.
         horizon: simulated time, s.
         dt: length of a step, s.
         wrap_angles: True is right physics: angles between directions are taken around the circle,
-            gradients are exact, and a group pulls more on who has strayed further, so a rotated or
-            mirrored scene gives rotated or mirrored paths. False repeats pysocialforce 1.1.2 digit
-            for digit: it subtracts two arctangents without wrapping, takes gradients by one-sided
-            differences of 1 mm, and softens coherence by a distance that is always 0.
+            gradients are exact, and a group pulls more on a member who has strayed further, so a
+            rotated or mirrored scene gives rotated or mirrored paths. False repeats pysocialforce
+            1.1.2 digit for digit: it subtracts two arctangents without wrapping, takes gradients by
+            one-sided differences of 1 mm, and softens coherence by a distance that is always 0.
         limits: what the robot's motors can do.
-        threads: for the batched engine; every processor if left out. The result is the same.
+        threads: how many the batched engine uses; None is one per processor. The result is the
+            same.
 
     Raises:
         InputError: if an argument is out of range.
@@ -146,24 +140,10 @@ def simulate(
     _check_size(len(actions) * rollouts * (steps + 1), len(scene.pedestrians))
     disturbance = disturb(scene, noise, rollouts, steps, dt, seed)
     driven = drive(scene, actions, disturbance, limits, dt)  # (A, K, T+1, 4)
-    surroundings = surroundings_of(scene)
-    nobody = np.empty((1, rollouts, steps + 1, 0, 4))
-    # Imported here: who only draws or reads scenes need not wait for a compiler.
-    if engine == "batched":
-        from scenes.batched import walk
-
-        def paths_among(robots: FloatArray) -> FloatArray:
-            return walk(
-                disturbance.crowd, surroundings, robots, model, wrap_angles, dt, threads=threads
-            )
-    else:
-        from scenes.reference import walk as walk_in_library
-
-        def paths_among(robots: FloatArray) -> FloatArray:
-            return walk_in_library(disturbance.crowd, surroundings, robots, model, wrap_angles, dt)
-
-    pedestrians = paths_among(driven[:, :, :, None])
-    without_robot = paths_among(nobody)[0]
+    no_robot = np.empty((1, rollouts, steps + 1, 0, 4))
+    crowd, surroundings, walk = disturbance.crowd, surroundings_of(scene), _walk_of(engine, threads)
+    pedestrians = walk(crowd, surroundings, driven[:, :, :, None], model, wrap_angles, dt)
+    without_robot = walk(crowd, surroundings, no_robot, model, wrap_angles, dt)[0]
     robot = driven[..., :3]
     outcomes = describe(scene, robot, pedestrians, without_robot, dt)
     for array in (robot, pedestrians, without_robot, *vars(outcomes).values()):
@@ -181,12 +161,29 @@ def simulate(
         robot=robot,
         pedestrians=pedestrians,
         without_robot=without_robot,
-        features=outcomes.features,
-        clearance_m=outcomes.clearance_m,
-        deviation_m=outcomes.deviation_m,
-        progress_m=outcomes.progress_m,
-        contact_step=outcomes.contact_step,
+        **vars(outcomes),
     )
+
+
+def warm_up(engine: Engine) -> None:
+    """Compile an engine, which takes seconds on its first use, by simulating a tiny scene."""
+    person = Pedestrian(start=(2.0, 1.0), goal=(-9.0, 1.0))
+    scene = Scene("warm_up", Robot(start=(0.0, 0.0), goal=(9.0, 0.0)), (person,))
+    simulate(scene, rollouts=1, engine=engine, horizon=0.1)
+
+
+def _walk_of(engine: Engine, threads: int | None) -> Walk:
+    """How an engine lets people walk.
+
+    Engines are imported here, because whoever only draws or reads scenes needs no compiler.
+    """
+    if engine == "batched":
+        from scenes import batched
+
+        return partial(batched.walk, threads=threads)
+    from scenes import reference
+
+    return reference.walk
 
 
 def _check_size(moments: int, people: int) -> None:
@@ -195,13 +192,6 @@ def _check_size(moments: int, people: int) -> None:
             f"actions × rollouts × steps × pedestrians: {moments * people:,} is not allowed: at "
             f"most {MOST_POSITIONS:,}; take fewer rollouts or a shorter horizon"
         )
-
-
-def warm_up(engine: Engine) -> None:
-    """Compile an engine, which takes seconds on its first use, by simulating a tiny scene."""
-    person = Pedestrian(start=(2.0, 1.0), goal=(-9.0, 1.0))
-    scene = Scene("warm_up", Robot(start=(0.0, 0.0), goal=(9.0, 0.0)), (person,))
-    simulate(scene, rollouts=1, engine=engine, horizon=0.1)
 
 
 def _check(
@@ -214,7 +204,7 @@ def _check(
     dt: float,
     threads: int | None,
 ) -> int:
-    """Check what `simulate` was given; the number of steps."""
+    """Check what `simulate` was given, and return the number of steps."""
     if not actions:
         raise InputError("actions: none given, at least one is needed")
     names = [action.name for action in actions]
@@ -226,8 +216,8 @@ def _check(
         check_whole("threads", threads, 1, 1024)
     if engine not in get_args(Engine):
         raise InputError(f"engine: {engine!r} is not known: {', '.join(get_args(Engine))}")
-    if model not in get_args(Model):
-        raise InputError(f"model: {model!r} is not known: {', '.join(get_args(Model))}")
+    if model not in get_args(ForceSet):
+        raise InputError(f"model: {model!r} is not known: {', '.join(get_args(ForceSet))}")
     if not (math.isfinite(dt) and 0.001 <= dt <= 0.5):
         raise InputError(f"dt: {dt} s is not allowed: 0.001 to 0.5 s")
     if not (math.isfinite(horizon) and dt <= horizon <= LONGEST_HORIZON):

@@ -1,19 +1,15 @@
 """The scene: everything about one situation that is not random."""
 
 import math
-import re
-import tomllib
-from dataclasses import asdict
-from pathlib import Path
-from typing import Annotated, Any
+from collections.abc import Sequence
+from typing import Annotated
 
 import numpy as np
-import tomli_w
-from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from scenes.errors import InputError
-from scenes.geometry import FloatArray, distance_to_segments
+from scenes.arrays import FloatArray
+from scenes.geometry import distance_to_segments
 
 PEDESTRIAN_RADIUS = 0.20
 """Radius of a pedestrian's disc, m."""
@@ -22,18 +18,16 @@ ROBOT_RADIUS = 0.25
 """Radius of the robot's disc, m."""
 
 SHORTEST_WALL = 0.1
-"""Pedestrians feel a wall through points every 0.1 m, so a wall is at least that long, m."""
+"""Length of the shortest wall, m: pedestrians feel a wall through points every 0.1 m."""
 
 MEAN_WALKING_SPEED = 1.34
 """Mean desired speed of pedestrians, m/s (Helbing and Molnár 1995, section III)."""
 
-_SHORT_ARRAY = re.compile(r"\[\n\s*([^\[\]]+),\n\s*\]")
-_LINE_BREAK = re.compile(r",\n\s*")
 GOAL_DISTANCE = 40.0
-"""How far away people's goals lie where the studio chooses them, m: nobody walks there in 10 s."""
+"""How far away the goals lie that are chosen for people, m: nobody walks so far in 10 s."""
 
 ROBOT_TASK = 8.0
-"""Distance from the robot's start to its goal, where the studio chooses it, m."""
+"""Distance from the robot's start to a goal that is chosen for it, m."""
 
 LARGEST_NUMBER = 2**31 - 1
 """Largest number of a scene in a series."""
@@ -43,20 +37,15 @@ _STRICT = ConfigDict(extra="forbid", allow_inf_nan=False)
 Coordinate = Annotated[float, Field(strict=True, ge=-1000.0, le=1000.0)]
 SpeedComponent = Annotated[float, Field(strict=True, ge=-5.0, le=5.0)]
 Word = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
-Point = tuple[Coordinate, Coordinate]
+Position = tuple[Coordinate, Coordinate]
 
 
 @dataclass(frozen=True, config=_STRICT)
 class Wall:
-    """A straight wall.
+    """A straight wall between two points (x, y), m."""
 
-    Attributes:
-        start: one end (x, y), m.
-        end: the other end (x, y), m.
-    """
-
-    start: Point
-    end: Point
+    start: Position
+    end: Position
 
 
 @dataclass(frozen=True, config=_STRICT)
@@ -72,8 +61,8 @@ class Pedestrian:
             speed towards the goal.
     """
 
-    start: Point
-    goal: Point
+    start: Position
+    goal: Position
     desired_speed: Annotated[float, Field(strict=True, ge=0.0, le=5.0)] = MEAN_WALKING_SPEED
     velocity: tuple[SpeedComponent, SpeedComponent] | None = None
 
@@ -90,8 +79,8 @@ class Robot:
         speed: forward speed at time 0, m/s: the robot is under way when it must choose.
     """
 
-    start: Point
-    goal: Point
+    start: Position
+    goal: Position
     heading: Annotated[float, Field(strict=True, ge=-math.tau, le=math.tau)] | None = None
     speed: Annotated[float, Field(strict=True, ge=0.0, le=3.0)] = 1.0
 
@@ -109,9 +98,7 @@ class Scene:
 
     Attributes:
         name: what the scene is called; files made from it bear this name.
-        robot: the robot's start and goal.
         pedestrians: the people, in a fixed order that arrays and groups refer to.
-        walls: straight walls.
         groups: people who walk together, each group a tuple of indices into `pedestrians`.
         family: kind of place: one of the four generated families, or a word of your own.
         pattern: how people meet in it: one of the six patterns, or a word of your own.
@@ -141,12 +128,12 @@ class Scene:
     @property
     def wall_segments(self) -> FloatArray:
         """Both ends of every wall, [W, 2, 2], m."""
-        return np.array([(wall.start, wall.end) for wall in self.walls]).reshape(-1, 2, 2)
+        return segments_of(self.walls)
 
     @property
     def starts(self) -> FloatArray:
         """Where the pedestrians are at time 0, [P, 2], m."""
-        return np.array([person.start for person in self.pedestrians]).reshape(-1, 2)
+        return starts_of(self.pedestrians)
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -158,82 +145,14 @@ class Scene:
         return float(x0), float(y0), float(x1), float(y1)
 
 
-def scene_to_toml(scene: Scene) -> str:
-    """The scene as TOML text, ready to edit; `scene_from_toml` reads it back exactly."""
-    text = tomli_w.dumps(_without_none(asdict(scene)))
-    return _SHORT_ARRAY.sub(lambda found: f"[{_LINE_BREAK.sub(', ', found[1])}]", text)
+def segments_of(walls: Sequence[Wall]) -> FloatArray:
+    """Both ends of every wall, [W, 2, 2], m."""
+    return np.array([(wall.start, wall.end) for wall in walls]).reshape(-1, 2, 2)
 
 
-def scene_from_toml(text: str, source: str = "scene") -> Scene:
-    """Read a scene from TOML text.
-
-    Args:
-        text: the TOML.
-        source: what messages call the text, for example the file's name.
-
-    Raises:
-        InputError: if the text is not TOML, has an unknown or missing key or a value that is not
-            allowed, or contradicts itself.
-    """
-    try:
-        return _SCENE.validate_python(tomllib.loads(text))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{source}: not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{source}: not a scene: nested too deep") from None
-    except ValidationError as error:
-        raise InputError(f"{source}: {one_line(error)}") from None
-
-
-def scene_from_file(path: Path) -> Scene:
-    """Read a scene from a TOML file.
-
-    Raises:
-        InputError: if the file cannot be read, or its text is not a scene.
-    """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise InputError(f"{path}: cannot be read as a scene: {reason}") from None
-    return scene_from_toml(text, source=str(path))
-
-
-def one_line(error: ValidationError) -> str:
-    """The first complaint of a failed validation: the field, what is allowed, what was given."""
-    first, others = error.errors()[0], error.error_count() - 1
-    field = _dotted(first["loc"])
-    message = first["msg"].removeprefix("Value error, ")
-    if first["type"] == "value_error":
-        said = message
-    elif first["type"] in ("unexpected_keyword_argument", "extra_forbidden"):
-        said = "unknown key"
-    elif first["type"] in ("missing", "missing_argument"):
-        said = "missing"
-    else:
-        said = f"{_short(first['input'])} is not allowed: {message[0].lower()}{message[1:]}"
-    more = f" (and {others} more)" if others else ""
-    return f"{field}: {said}{more}" if field else f"{said}{more}"
-
-
-def _dotted(location: tuple[int | str, ...]) -> str:
-    """`('walls', 0, 'start')` as `walls[0].start`."""
-    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in location]
-    return "".join(parts).removeprefix(".")
-
-
-def _short(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-def _without_none(value: Any) -> Any:
-    """TOML has no null: a key whose value is None is left out."""
-    if isinstance(value, dict):
-        return {key: _without_none(item) for key, item in value.items() if item is not None}
-    if isinstance(value, list | tuple):
-        return [_without_none(item) for item in value]
-    return value
+def starts_of(people: Sequence[Pedestrian]) -> FloatArray:
+    """Where people are at time 0, [P, 2], m."""
+    return np.array([person.start for person in people]).reshape(-1, 2)
 
 
 def _check_walls(scene: Scene) -> None:
@@ -306,6 +225,3 @@ def _check_clear_of_walls(scene: Scene, who: str, points: FloatArray, radius: fl
             f"{who.format(index)} is {distance[index, wall]:.2f} m from walls[{wall}], inside it: "
             f"at least {radius:.2f} m is needed"
         )
-
-
-_SCENE = TypeAdapter(Scene)

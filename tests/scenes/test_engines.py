@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from scenes import batched, reference
-from scenes.crowd import Crowd, Model, Surroundings
-from scenes.geometry import FloatArray
+from scenes.arrays import FloatArray
+from scenes.crowd import Crowd, ForceSet, Surroundings
 
 STEPS, DT = 40, 0.1
 CROWDS = 200
@@ -81,14 +81,14 @@ def random_world(number: int) -> World:
     return World(crowd, surroundings, robots)
 
 
-def paths(engine: object, world: World, model: Model, wrap: bool) -> FloatArray:
+def paths(engine: object, world: World, model: ForceSet, wrap: bool) -> FloatArray:
     walk = engine.walk  # type: ignore[attr-defined]
     return walk(world.crowd, world.surroundings, world.robots, model, wrap, DT)
 
 
 @pytest.mark.parametrize("first", range(0, CROWDS, 20))
 @pytest.mark.parametrize("model", ["extended", "helbing-molnar"])
-def test_batched_engine_follows_pysocialforce(model: Model, first: int) -> None:
+def test_batched_engine_follows_pysocialforce(model: ForceSet, first: int) -> None:
     for number in range(first, first + 20):
         world = random_world(number)
         ours, theirs = (paths(engine, world, model, False) for engine in (batched, reference))
@@ -97,7 +97,7 @@ def test_batched_engine_follows_pysocialforce(model: Model, first: int) -> None:
 
 
 @pytest.mark.parametrize("model", ["extended", "helbing-molnar"])
-def test_both_engines_put_the_same_things_right(model: Model) -> None:
+def test_both_engines_put_the_same_things_right(model: ForceSet) -> None:
     for number in range(30):
         world = random_world(number)
         ours, theirs = (paths(engine, world, model, True) for engine in (batched, reference))
@@ -165,7 +165,7 @@ def transformed(world: World, matrix: FloatArray) -> World:
 )
 @pytest.mark.parametrize("model", ["extended", "helbing-molnar"])
 def test_a_turned_or_mirrored_scene_gives_turned_or_mirrored_paths(
-    model: Model, matrix: FloatArray
+    model: ForceSet, matrix: FloatArray
 ) -> None:
     for number in range(60):
         world = random_world(number)
@@ -186,7 +186,7 @@ def test_a_perfectly_symmetric_meeting_stays_symmetric_in_every_direction() -> N
 
 
 @pytest.mark.parametrize("model", ["extended", "helbing-molnar"])
-def test_a_rollout_does_not_depend_on_its_neighbours_or_the_threads(model: Model) -> None:
+def test_a_rollout_does_not_depend_on_its_neighbours_or_the_threads(model: ForceSet) -> None:
     rng = np.random.default_rng(5)
     world = random_world(29)
     many = 75  # fills two blocks of lanes and part of a third

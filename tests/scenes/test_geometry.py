@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scenes.geometry import distance_to_segments, length, nearest_on_segments
+from scenes.geometry import distance_to_segments, lengths, nearest_on_segments
 
 coordinates = st.floats(-50, 50, allow_subnormal=False)
 points = st.tuples(coordinates, coordinates)
@@ -33,5 +33,5 @@ def test_no_point_of_the_segment_is_nearer(
     segment = np.array([[start, end]])
     nearest = nearest_on_segments(np.array(place), segment)[0]
     other = np.array(start) + share * (np.array(end) - np.array(start))
-    assert length(nearest - place) <= length(other - place) + 1e-9
-    assert distance_to_segments(np.array(place), segment)[0] == length(nearest - place)
+    assert lengths(nearest - place) <= lengths(other - place) + 1e-9
+    assert distance_to_segments(np.array(place), segment)[0] == lengths(nearest - place)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from scenes import META_ACTIONS, NO_NOISE, InputError, Limits, MetaAction, Noise, Robot, Scene, Wall
-from scenes.geometry import FloatArray, distance_to_segments
+from scenes.arrays import FloatArray
+from scenes.geometry import distance_to_segments
 from scenes.noise import disturb
 from scenes.robot import drive
 from scenes.scene import ROBOT_RADIUS
