@@ -40,11 +40,6 @@ class Axis:
         return pixels
 
 
-def signed(value: float) -> str:
-    """A number with two decimals and its sign."""
-    return f"{value:+.2f}".replace("-", "−")
-
-
 def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) -> None:
     """Write the values under a horizontal axis, leaving out those that would touch.
 

@@ -25,9 +25,8 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import display_name
 from studio.style.palette import LIGHT, Theme, contrast
-from studio.style.words import counted
+from studio.style.words import action_label, counted
 
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
@@ -166,7 +165,7 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
     canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
     left = badge.right + 0.5 * kind.heading
-    text = canvas.fitted(display_name(name), box.right - left, kind.heading, SEMIBOLD)
+    text = canvas.fitted(action_label(name), box.right - left, kind.heading, SEMIBOLD)
     ink = theme.legible(colour)
     canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
 

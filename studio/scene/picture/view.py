@@ -24,8 +24,8 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
-from studio.scene.picture.titles import display_name
 from studio.style.palette import blend
+from studio.style.words import action_label
 
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 
@@ -114,7 +114,7 @@ def _scene_labels(
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
-                canvas.abbreviated(display_name(name), view.box.width / 5, body, SEMIBOLD),
+                canvas.abbreviated(action_label(name), view.box.width / 5, body, SEMIBOLD),
                 body,
                 SEMIBOLD,
                 canvas.theme.legible(canvas.theme.action_colour(name)),

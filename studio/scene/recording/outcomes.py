@@ -16,7 +16,7 @@ from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded, time_columns
 from studio.style.palette import LIGHT, Colour, Theme, blend
-from studio.style.words import number, short, teacher_name
+from studio.style.words import number, rounded_number, short, teacher_name
 
 COLLISIONS = "collisions"
 """The feature that is a whole number; the others are measured."""
@@ -145,8 +145,8 @@ def draw_histogram(
     low, high, margin = edges[0], edges[-1], 0.0
     if title == COLLISIONS:  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
-    drawing.text((left + margin, -0.15), tick(low))
-    drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
+    drawing.text((left + margin, -0.15), rounded_number(low, 6))
+    drawing.text((left + PANEL_WIDTH - margin, -0.15), rounded_number(high, 6))
     drawing.text((left - 0.13, PANEL_HEIGHT), str(peak))
 
 
@@ -271,11 +271,6 @@ def measures(rollouts: Rollouts) -> dict[str, FloatArray]:
         "smoothness": scaled[..., FEATURES.index("smoothness")],
         COLLISIONS: scaled[..., FEATURES.index("collisions")],
     }
-
-
-def tick(value: float) -> str:
-    """An edge of a bin in words, without what rounding adds to it."""
-    return number(round(value, 6) + 0.0)  # + 0.0 turns a −0 into a 0
 
 
 def gaps(rollouts: Rollouts) -> FloatArray:
