@@ -50,17 +50,6 @@ class LogAxis:
         return float(self.along(value))
 
 
-def decades(low: float, high: float) -> list[float]:
-    """The powers of ten from `low` to `high`, or 1, 2 and 5 times such where these are few."""
-    exponents = range(math.floor(math.log10(low)) - 1, math.ceil(math.log10(high)) + 1)
-    for digits in ((1.0,), (1.0, 3.0), (1.0, 2.0, 5.0)):
-        found = [digit * 10.0**exponent for exponent in exponents for digit in digits]
-        found = [mark for mark in found if low * 0.999 <= mark <= high * 1.001]
-        if len(found) >= 3:
-            break
-    return found
-
-
 def caption(canvas: Canvas, box: Box, wordings: str | Sequence[str]) -> Box:
     """Write the name of a plot along the top of its box.
 

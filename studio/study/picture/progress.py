@@ -12,7 +12,6 @@ from studio.painter.frames import (
     LogAxis,
     band,
     caption,
-    decades,
     dot,
     end_labels,
     foot,
@@ -25,7 +24,7 @@ from studio.painter.plots import Axis
 from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales
 from studio.style.palette import Colour, learner_colour
-from studio.style.ticks import ticks
+from studio.style.ticks import decades, ticks
 from studio.style.words import learner_name, number
 
 
