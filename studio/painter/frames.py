@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.style.palette import Colour
 from studio.style.words import number
 

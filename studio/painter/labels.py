@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import FloatArray
-from studio.painter.canvas import Box, Canvas, Point
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
 from studio.style.palette import Colour
 
 _DIRECTIONS = 24

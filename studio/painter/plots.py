@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import BoolArray, FloatArray
-from studio.painter.canvas import Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.style.palette import Colour
 from studio.style.words import number
 

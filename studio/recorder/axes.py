@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.style.palette import LIGHT, Colour
 from studio.style.ticks import ratio_ticks
 from studio.style.words import number

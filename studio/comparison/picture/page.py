@@ -14,8 +14,11 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_t
 from studio.comparison.dots import DotScale, Measure, measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.comparison.picture.scene import OutcomeScene
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.labels import place
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.views import View
 from studio.scene.picture.stage import (
     draw_goal,
     draw_ground,

@@ -14,9 +14,12 @@ import numpy as np
 from scenes import Rollouts
 from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.encode import Segment
 from studio.painter.labels import draw_labels
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.crowd import Crowd
 from studio.scene.picture.page import compose_picture

@@ -6,7 +6,9 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
 from studio.scene.picture.crowd import between
 from studio.style.palette import Colour, blend

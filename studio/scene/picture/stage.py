@@ -7,8 +7,11 @@ import numpy as np
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 from studio.arrays import FloatArray
-from studio.painter.canvas import REGULAR, Box, Canvas, Point, View
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
+from studio.painter.lettering import REGULAR
+from studio.painter.views import View
 from studio.scene.framing import bounds_of_shape
 from studio.scene.groups import shortest_links
 from studio.style.palette import Colour, blend

@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.style.words import counted
 
 

@@ -8,8 +8,11 @@ import numpy as np
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray
-from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, Point, View
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, draw_labels
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.stage import (
     draw_contacts,

@@ -10,7 +10,7 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from scenes import Rollouts
-from studio.scene.framing import Bounds
+from studio.arrays import Bounds
 from studio.scene.recording import entities
 from studio.scene.recording.minds import curves_bounds
 from studio.scene.recording.outcomes import comparison_bounds, distributions_bounds

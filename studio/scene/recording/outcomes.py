@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded, time_columns

@@ -5,10 +5,9 @@ import rerun as rr
 
 from learners import CptParameters, decision_weights
 from scenes import Rollouts
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import Scale, linear
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.scene.groups import shortest_links
 from studio.scene.recording import entities
 from studio.scene.recording.label_places import (

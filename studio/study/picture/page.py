@@ -11,8 +11,10 @@ from dataclasses import dataclass
 import pyarrow as pa
 
 from learners import Teacher
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.frames import wrapped
+from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.minds import draw_calibration, draw_parameters, draw_shapes
 from studio.study.picture.progress import draw_agreement, draw_regret

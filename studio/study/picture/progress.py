@@ -7,7 +7,8 @@ import numpy as np
 
 from learners import Curve, Teacher
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.frames import (
     LogAxis,
     band,
@@ -20,6 +21,7 @@ from studio.painter.frames import (
     labels_below,
     labels_beside,
 )
+from studio.painter.lettering import SEMIBOLD
 from studio.painter.plots import Axis
 from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales

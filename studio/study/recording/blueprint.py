@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import rerun.blueprint as rrb
 
 from learners import Teacher
-from studio.scene.framing import Bounds
+from studio.arrays import Bounds
 from studio.scene.recording.blueprint import drawn_view, page_view
 from studio.study.recording import entities
 from studio.study.recording.calibration import CALIBRATION, calibration_axes

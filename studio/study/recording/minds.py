@@ -11,10 +11,9 @@ import numpy as np
 import rerun as rr
 
 from learners import FEATURES, CptParameters, Curve, Teacher, unit_vector, value, weight
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.study.recording import entities
 from studio.study.results import (
     CPT_COLUMNS,
