@@ -13,7 +13,9 @@ from studio.comparison.recording.read import ComparisonRecording
 from studio.errors import InputError
 from studio.kinds import Recording
 from studio.painter.canvas import Canvas
-from studio.painter.encode import Progress, Segment, check_codec, check_rate, write_gif, write_mp4
+from studio.painter.gif import write_gif
+from studio.painter.mp4 import MOST_FILM_FRAMES, check_codec, write_mp4
+from studio.painter.segments import Progress, Segment, check_rate
 from studio.scene.picture import page as picture
 from studio.scene.picture.film import compose_film
 from studio.scene.picture.page import compose_picture
@@ -57,7 +59,7 @@ class Look:
         if self.theme not in THEMES:
             raise InputError(f"--theme: {self.theme!r} is not known: {', '.join(THEMES)}")
         check_codec(self.codec)
-        check_rate(self.frames_per_second)
+        check_rate(self.frames_per_second, MOST_FILM_FRAMES)
 
 
 @dataclass(frozen=True)

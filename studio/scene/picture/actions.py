@@ -8,10 +8,11 @@ import numpy as np
 from learners import PROFILES, REWARD
 from scenes import FEATURES, Rollouts
 from studio.arrays import FloatArray
+from studio.painter.axes import Axis, draw_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks, icon_pitch
+from studio.painter.marks import draw_histogram, draw_icons, icon_pitch
 from studio.scene.judgements import Judgement
 from studio.style.palette import Colour, blend, contrast, teacher_colour
 from studio.style.ticks import round_range, ticks

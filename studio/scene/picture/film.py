@@ -16,9 +16,9 @@ from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.encode import Segment
 from studio.painter.labels import draw_labels
 from studio.painter.lettering import SEMIBOLD
+from studio.painter.segments import Segment
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.crowd import Crowd

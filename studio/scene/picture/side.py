@@ -6,10 +6,11 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray
+from studio.painter.axes import Axis, draw_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
+from studio.painter.marks import draw_histogram, draw_icons
 from studio.scene.picture.crowd import between
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks

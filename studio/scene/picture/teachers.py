@@ -6,10 +6,10 @@ import numpy as np
 
 from learners import value, weight
 from scenes import Rollouts
+from studio.painter.axes import Axis
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.plots import Axis
 from studio.scene.judgements import Judgement, utilities
 from studio.style.palette import teacher_colour
 from studio.style.ticks import round_range, ticks

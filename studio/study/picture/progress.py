@@ -7,22 +7,21 @@ import numpy as np
 
 from learners import Curve, Teacher
 from studio.arrays import FloatArray
-from studio.painter.boxes import Box
-from studio.painter.canvas import Canvas
-from studio.painter.frames import (
+from studio.painter.axes import (
+    Axis,
     LogAxis,
-    band,
     caption,
-    dot,
-    end_labels,
     foot,
     ground,
     gutter,
     labels_below,
     labels_beside,
 )
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.plots import Axis
+from studio.painter.marks import band, dot
 from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales
 from studio.style.palette import Colour, learner_colour

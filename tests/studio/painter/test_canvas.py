@@ -7,11 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from studio.errors import InputError
+from studio.painter.axes import Axis
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, distance, place
+from studio.painter.marks import draw_icons
 from studio.painter.pixels import disc_coverage
-from studio.painter.plots import Axis, draw_icons
 from studio.painter.views import View
 from studio.style.palette import LIGHT
 

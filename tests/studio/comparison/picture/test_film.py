@@ -23,7 +23,7 @@ from studio.comparison.picture.page import (
 from studio.errors import InputError
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.encode import write_mp4
+from studio.painter.mp4 import write_mp4
 from studio.style.palette import DARK, LIGHT
 
 SIZE = (640, 360)
