@@ -9,11 +9,13 @@ from typing import Literal
 
 import rerun as rr
 import rerun.blueprint as rrb
+from rerun.encodings import EntityPathLike
 
 from studio.arrays import Bounds
 from studio.recorder.drawing import GROUND
 
-Overrides = dict[str, rrb.VisibleTimeRanges]
+Overrides = dict[EntityPathLike, rrb.VisibleTimeRanges]
+"""What holds for some entities in one view only."""
 
 
 def opening(
@@ -59,7 +61,7 @@ def drawn_view(
         contents: entities; `/**` at the end of one stands for everything below it.
         bounds: what the view shows.
         title: of the view.
-        overrides: what holds for some entities in this view only; see `gathering`.
+        overrides: what holds for some of the entities in this view; see `gathering`.
     """
     x0, y0, x1, y1 = bounds
     return rrb.Spatial2DView(
