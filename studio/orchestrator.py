@@ -6,13 +6,11 @@ picture does not wait for what draws it.
 
 from __future__ import annotations
 
-import subprocess
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from studio.errors import RunError
 from studio.files import check_is_recording, file_name, replacing
 from studio.progress import Quiet
 from studio.scene.sources import Source, find_scene
@@ -348,13 +346,9 @@ class Studio:
         """
         path = Path(path)
         check_is_recording(path)
-        import rerun_cli
+        from studio.recorder.viewer import open_viewer
 
-        # The program itself, not the wrapper script beside it, which would outlive us.
-        viewer = Path(rerun_cli.__file__).with_name("rerun")
-        code = subprocess.run([viewer, path.resolve()], cwd=path.parent, check=False).returncode
-        if code:
-            raise RunError(f"the Rerun viewer ended with exit code {code}; is there a display?")
+        open_viewer(path)
 
     def _find(self, scene: str | Path | Source | Scene, seed: int) -> Scene:
         if isinstance(scene, str | Path):

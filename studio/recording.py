@@ -17,7 +17,7 @@ from studio.style.palette import THEMES, Theme
 
 if TYPE_CHECKING:
     from studio.painter.canvas import Canvas
-    from studio.painter.encode import Progress, Segment
+    from studio.painter.segments import Progress, Segment
 
 Size = tuple[int, int]
 """Width and height of a picture, px."""
@@ -49,12 +49,13 @@ class Look:
     codec: str = "h264"
 
     def __post_init__(self) -> None:
-        from studio.painter.encode import check_codec, check_rate
+        from studio.painter.mp4 import MOST_FILM_FRAMES, check_codec
+        from studio.painter.segments import check_rate
 
         if self.theme not in THEMES:
             raise InputError(f"--theme: {self.theme!r} is not known: {', '.join(THEMES)}")
         check_codec(self.codec)
-        check_rate(self.frames_per_second)
+        check_rate(self.frames_per_second, MOST_FILM_FRAMES)
 
     @property
     def colours(self) -> Theme:
@@ -132,7 +133,8 @@ def write_picture(
         InputError: if the ending or the size is not allowed, or there is no such part.
         OSError: if the file cannot be written.
     """
-    from studio.painter.encode import write_gif, write_mp4
+    from studio.painter.gif import write_gif
+    from studio.painter.mp4 import write_mp4
 
     look, excerpt = look or Look(), excerpt or Excerpt()
     rate = look.frames_per_second

@@ -27,19 +27,17 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 from urllib.parse import quote
 
-import rerun_cli
 from rerun.experimental import ViewerClient
 
 from studio.errors import RunError
 from studio.files import check_is_recording
+from studio.recorder.viewer import VIEWER
 
 Picture = TypeVar("Picture")
 
 PATIENCE = 60.0
 """How long the viewer may take to start, or to come to rest, s; a busy machine needs a few."""
 
-# The program itself, not the wrapper script beside it, which would outlive us.
-_PROGRAM = Path(rerun_cli.__file__).with_name("rerun")
 
 # What it says about a software driver would pop up over the views, for some seconds; and to ask for
 # a view that it has not drawn yet is no fault of the recording.
@@ -284,12 +282,12 @@ def _running(recording: Path, options: list[str]) -> Iterator[tuple[subprocess.P
         home = Path(folder)
         environment = _environment(home)
         subprocess.run(
-            [_PROGRAM, "analytics", "disable"], env=environment, check=True, capture_output=True
+            [VIEWER, "analytics", "disable"], env=environment, check=True, capture_output=True
         )
         output = home / "output"
         with output.open("wb") as log:
             process = subprocess.Popen(
-                [_PROGRAM, "--bind=127.0.0.1", *options, recording.absolute()],
+                [VIEWER, "--bind=127.0.0.1", *options, recording.absolute()],
                 env=environment,
                 stdout=log,
                 stderr=log,

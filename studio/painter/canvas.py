@@ -8,13 +8,9 @@ Coordinates are pixels, x to the right, y down, and may be fractions: (0, 0) is 
 of the top left pixel. Pixels are red, green, blue.
 """
 
-import functools
 import math
-import unicodedata
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import cast
 
 import cv2
 import numpy as np
@@ -22,9 +18,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
+from studio.painter.boxes import Box, Point
+from studio.painter.lettering import (
+    ASCENT,
+    CAPITAL_HEIGHT,
+    DESCENT,
+    ELLIPSIS,
+    REGULAR,
+    PlacedText,
+    TypeScale,
+    new_face,
+    printable,
+)
+from studio.painter.pixels import FARTHEST, SHIFT, disc_coverage, fixed_point, pen, tinted
 from studio.style.palette import Colour, Theme
-
-Point = tuple[float, float]
 
 REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
 SMALLEST_WIDTH, SMALLEST_HEIGHT = 640, 360
@@ -33,102 +40,7 @@ LARGEST_SIDE = 8192
 MARGIN, GAP = 36, 36
 """Around a page and between its columns, in units of the reference page."""
 
-REGULAR, SEMIBOLD = 400, 600
-"""Weights of type."""
-
 _SMALLEST_TYPE = 8  # px
-_FONT = "sans"  # the variable-weight face that OpenCV brings along
-_CAPITAL_HEIGHT = 0.70  # of the type size, in that face
-_ASCENT, _DESCENT = 0.78, 0.22  # of the type size, in that face
-_ELLIPSIS, _MISSING = "…", "□"
-_SHIFT = 4  # OpenCV takes coordinates in sixteenths of a pixel
-_FARTHEST = 1e6  # px; beyond it, coordinates would overflow OpenCV's integers
-
-
-@dataclass(frozen=True)
-class Box:
-    """A rectangle on the page, px."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-    @property
-    def width(self) -> float:
-        """Width, px."""
-        return self.right - self.left
-
-    @property
-    def height(self) -> float:
-        """Height, px."""
-        return self.bottom - self.top
-
-    @property
-    def centre(self) -> Point:
-        """The point in the middle."""
-        return (self.left + self.right) / 2, (self.top + self.bottom) / 2
-
-    def inset(self, by: float) -> "Box":
-        """The box with every side moved in (out, if negative) by so many px."""
-        return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
-
-    def contains(self, other: "Box") -> bool:
-        """Whether the other box lies wholly inside."""
-        return (
-            self.left <= other.left
-            and self.top <= other.top
-            and other.right <= self.right
-            and other.bottom <= self.bottom
-        )
-
-    def overlaps(self, other: "Box") -> bool:
-        """Whether the two share more than an edge."""
-        return (
-            self.left < other.right
-            and other.left < self.right
-            and self.top < other.bottom
-            and other.top < self.bottom
-        )
-
-    def columns(self, widths: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
-        """Cut into columns whose widths stand in these proportions, with gaps between (px)."""
-        edges = _cuts(self.left, self.width, widths, gap)
-        return tuple(Box(start, self.top, end, self.bottom) for start, end in edges)
-
-    def rows(self, heights: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
-        """Cut into rows whose heights stand in these proportions, with gaps between (px)."""
-        edges = _cuts(self.top, self.height, heights, gap)
-        return tuple(Box(self.left, start, self.right, end) for start, end in edges)
-
-
-def _cuts(
-    start: float, length: float, shares: Sequence[float], gap: float
-) -> list[tuple[float, float]]:
-    unit = (length - gap * (len(shares) - 1)) / sum(shares)
-    cuts = []
-    for share in shares:
-        cuts.append((start, start + share * unit))
-        start += share * unit + gap
-    return cuts
-
-
-@dataclass(frozen=True)
-class TypeScale:
-    """The four sizes of type on a page, px."""
-
-    small: int
-    body: int
-    heading: int
-    title: int
-
-
-@dataclass(frozen=True)
-class PlacedText:
-    """A piece of text on the page and the box that it takes up."""
-
-    text: str
-    box: Box
 
 
 class Canvas:
@@ -168,7 +80,7 @@ class Canvas:
         self.texts: list[PlacedText] = []
         self._origin = (0.0, 0.0)
         # A face of its own: OpenCV's faces are not safe to share between threads.
-        self._face = cv2.FontFace(_FONT)
+        self._face = new_face()
 
     @property
     def hair(self) -> int:
@@ -209,7 +121,7 @@ class Canvas:
         twin.__dict__.update(self.__dict__)
         twin.pixels = self.pixels.copy()
         twin.texts = list(self.texts)
-        twin._face = cv2.FontFace(_FONT)
+        twin._face = new_face()
         return twin
 
     def restore(self, still: "Canvas", box: Box) -> None:
@@ -254,14 +166,14 @@ class Canvas:
     def line(self, points: ArrayLike, colour: Colour, width: float = 1.0) -> None:
         """Draw through points [N, 2] with a pen of this width in px, at least one pixel."""
         cv2.polylines(
-            self.pixels, [self._fixed(points)], False, colour, _pen(width), cv2.LINE_AA, _SHIFT
+            self.pixels, [self._fixed(points)], False, colour, pen(width), cv2.LINE_AA, SHIFT
         )
 
     def disc(self, centre: Point | FloatArray, radius: float, colour: Colour) -> None:
         """Draw a filled disc, radius in px."""
         # not cv2.circle, whose small discs come out as lozenges
         x, y = centre[0] - self._origin[0], centre[1] - self._origin[1]
-        if not (abs(x) < _FARTHEST and abs(y) < _FARTHEST):
+        if not (abs(x) < FARTHEST and abs(y) < FARTHEST):
             return
         height, width = self.pixels.shape[:2]
         left, right = max(int(x - radius - 1), 0), min(int(x + radius + 2), width)
@@ -273,7 +185,7 @@ class Canvas:
 
     def polygon(self, points: ArrayLike, colour: Colour) -> None:
         """Fill a polygon given by its corners [N, 2]."""
-        cv2.fillPoly(self.pixels, [self._fixed(points)], colour, cv2.LINE_AA, _SHIFT)
+        cv2.fillPoly(self.pixels, [self._fixed(points)], colour, cv2.LINE_AA, SHIFT)
 
     def faint_paths(
         self, paths: Sequence[FloatArray], colour: Colour, width: float, opacity: float
@@ -290,23 +202,23 @@ class Canvas:
             opacity: of one path, 0 to 1 (not included).
         """
         counts = np.zeros(self.pixels.shape[:2], np.float32)  # in 255ths of a path
-        pen = _pen(width)
+        thickness = pen(width)
         for path in paths:
             fixed = self._fixed(path)
-            rows, columns = self._touched(fixed, pen)
+            rows, columns = self._touched(fixed, thickness)
             part = counts[rows, columns]
             if part.size:
                 mask = np.zeros(part.shape, np.uint8)
-                shift = np.array([columns.start, rows.start]) << _SHIFT
-                cv2.polylines(mask, [fixed - shift], False, 255, pen, cv2.LINE_AA, _SHIFT)
+                shift = np.array([columns.start, rows.start]) << SHIFT
+                cv2.polylines(mask, [fixed - shift], False, 255, thickness, cv2.LINE_AA, SHIFT)
                 cv2.accumulate(mask, part)
         self._blend(counts, colour, opacity)
 
     def _touched(self, fixed: NDArray[np.int32], pen: int) -> tuple[slice, slice]:
         """Rows and columns of the canvas that a path may touch."""
         height, width = self.pixels.shape[:2]
-        low = (fixed.min(axis=0) >> _SHIFT) - pen - 1
-        high = (fixed.max(axis=0) >> _SHIFT) + pen + 2
+        low = (fixed.min(axis=0) >> SHIFT) - pen - 1
+        high = (fixed.max(axis=0) >> SHIFT) + pen + 2
         left, right = np.clip([low[0], high[0]], 0, width)
         top, bottom = np.clip([low[1], high[1]], 0, height)
         return slice(int(top), int(bottom)), slice(int(left), int(right))
@@ -340,7 +252,7 @@ class Canvas:
             if self.measure(option, size, weight) <= width:
                 return option
         for length in range(len(options[-1]) - 1, 0, -1):
-            shorter = options[-1][:length].rstrip(" _·,") + _ELLIPSIS
+            shorter = options[-1][:length].rstrip(" _·,") + ELLIPSIS
             if self.measure(shorter, size, weight) <= width:
                 return shorter
         return ""
@@ -356,10 +268,21 @@ class Canvas:
             return name
         for kept in range(len(name) - 1, 1, -1):
             head, tail = name[: kept - kept // 3], name[len(name) - kept // 3 :]
-            shorter = head.rstrip() + _ELLIPSIS + tail.lstrip()
+            shorter = head.rstrip() + ELLIPSIS + tail.lstrip()
             if self.measure(shorter, size, weight) <= width:
                 return shorter
         return ""
+
+    def wrapped(self, sentences: Sequence[str], width: float, size: int) -> list[str]:
+        """Sentences one after another, broken into lines that are no wider than this, px."""
+        lines: list[str] = []
+        for word in " ".join(sentences).split(" "):
+            longer = f"{lines[-1]} {word}" if lines else word
+            if lines and self.measure(longer, size) <= width:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+        return lines
 
     def text_box(
         self,
@@ -373,11 +296,11 @@ class Canvas:
         """The box that `text` would take up, see there."""
         width = self.measure(text, size, weight)
         left = round(at[0] - {"left": 0.0, "centre": 0.5, "right": 1.0}[anchor] * width)
-        below = {"base": 0.0, "middle": _CAPITAL_HEIGHT / 2, "top": _ASCENT, "bottom": -_DESCENT}
+        below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT, "bottom": -DESCENT}
         # lines set by their top or bottom must not reach over it by a rounding
         to_pixel = {"top": math.ceil, "bottom": math.floor}.get(line, round)
         baseline = to_pixel(at[1] + below[line] * size)
-        return Box(left, baseline - _ASCENT * size, left + width, baseline + _DESCENT * size)
+        return Box(left, baseline - ASCENT * size, left + width, baseline + DESCENT * size)
 
     def text(
         self,
@@ -413,7 +336,7 @@ class Canvas:
         # Centred and right alignment by OpenCV 5 are broken, so the text is measured and set from
         # the left.
         x0, y0 = self._origin
-        origin = (round(box.left - x0), round(box.top + _ASCENT * size - y0))
+        origin = (round(box.left - x0), round(box.top + ASCENT * size - y0))
         if halo is not None:
             self._rim(origin, text, size, weight, halo)
         cv2.putText(self.pixels, text, origin, colour, self._face, size, weight)
@@ -439,99 +362,4 @@ class Canvas:
         )
 
     def _fixed(self, points: ArrayLike) -> NDArray[np.int32]:
-        """Points as OpenCV takes them: in sixteenths of a pixel, from the middle of a pixel."""
-        local = np.asarray(points, dtype=np.float64) - np.array(self._origin) - 0.5
-        fixed = np.rint(np.clip(local, -_FARTHEST, _FARTHEST) * 2**_SHIFT)
-        return cast(NDArray[np.int32], fixed.astype(np.int32))
-
-
-@dataclass(frozen=True)
-class View:
-    """A map from metres (y up) to pixels (y down), with the same scale in x and y.
-
-    Attributes:
-        box: where on the page the map lies, px.
-        scale: px per m.
-        centre: what lies in the middle of the box (x, y), m.
-    """
-
-    box: Box
-    scale: float
-    centre: Point
-
-    @classmethod
-    def around(cls, bounds: tuple[float, float, float, float], box: Box) -> "View":
-        """The largest view in the box that shows all of the bounds (x0, y0, x1, y1 in m)."""
-        x0, y0, x1, y1 = bounds
-        scale = min(box.width / (x1 - x0), box.height / (y1 - y0))
-        return cls(box, scale, ((x0 + x1) / 2, (y0 + y1) / 2))
-
-    @property
-    def bounds(self) -> tuple[float, float, float, float]:
-        """What the box shows: x0, y0, x1, y1 in m."""
-        half_width, half_height = (
-            self.box.width / self.scale / 2,
-            self.box.height / self.scale / 2,
-        )
-        x, y = self.centre
-        return x - half_width, y - half_height, x + half_width, y + half_height
-
-    def to_pixels(self, points: ArrayLike) -> FloatArray:
-        """Points in metres [..., 2] as pixels [..., 2]."""
-        away = np.asarray(points, dtype=np.float64)[..., :2] - np.array(self.centre)
-        pixels: FloatArray = np.array(self.box.centre) + away * np.array([self.scale, -self.scale])
-        return pixels
-
-    def within(self, box: Box) -> "View":
-        """The same scale and centre in another box."""
-        return replace(self, box=box)
-
-
-def disc_coverage(
-    x: float, y: float, radius: float, width: int, height: int
-) -> NDArray[np.float32]:
-    """How much of each pixel [height, width] a disc around (x, y) covers, 0 to 1."""
-    across = np.arange(width, dtype=np.float32) + np.float32(0.5 - x)
-    down = np.arange(height, dtype=np.float32) + np.float32(0.5 - y)
-    # several times as fast as np.hypot
-    beyond = np.sqrt(np.add.outer(down * down, across * across)) - np.float32(radius)
-    # twice as fast as np.clip
-    shares: NDArray[np.float32] = np.minimum(np.maximum(np.float32(0.5) - beyond, 0.0), 1.0)
-    return shares
-
-
-def tinted(pixels: PixelArray, colour: Colour, shares: NDArray[np.float32]) -> PixelArray:
-    """Pixels [h, w, 3] with a colour over them, as opaque as the shares [h, w] say."""
-    over = np.empty_like(pixels)
-    # row by row: several times as fast as pixel by pixel
-    over[:] = np.full(pixels.shape[1:], colour, np.uint8)
-    return cast(PixelArray, cv2.blendLinear(over, pixels, shares, 1.0 - shares))
-
-
-def printable(text: str) -> str:
-    """The text as it can be set.
-
-    Everything that does not show (line breaks, say) turns into a space, and a letter that the face
-    lacks into an empty box.
-    """
-    if text.isascii() and text.isprintable():
-        return text
-    return "".join(
-        (letter if _has_glyph(letter) else _MISSING) if letter.isprintable() else " "
-        for letter in unicodedata.normalize("NFC", text)
-    )
-
-
-@functools.cache
-def _has_glyph(letter: str) -> bool:
-    """Whether the face has such a letter; OpenCV sets a question mark in place of what it lacks."""
-    if letter.isascii():
-        return True
-    face, drawn = cv2.FontFace(_FONT), np.zeros((2, 40, 40), np.uint8)
-    for image, text in zip(drawn, (letter, "?"), strict=True):
-        cv2.putText(image, text, (4, 28), (255,), face, 24, REGULAR)
-    return not np.array_equal(*drawn)
-
-
-def _pen(width: float) -> int:
-    return max(1, round(width))
+        return fixed_point(np.asarray(points, dtype=np.float64) - np.array(self._origin))

@@ -7,8 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import FloatArray
-from studio.painter.canvas import Box, Canvas, Point
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.style.palette import Colour
+from studio.style.places import spread_apart
 
 _DIRECTIONS = 24
 _RINGS = (
@@ -129,6 +132,30 @@ def place(
         ]
         places.append(min(candidates)[2] if candidates else None)
     return places
+
+
+def end_labels(
+    canvas: Canvas,
+    left: float,
+    column: Box,
+    labels: Sequence[tuple[float, Sequence[str], Colour]],
+) -> None:
+    """Write names beside the ends of lines, moved apart where they would touch.
+
+    Args:
+        canvas: to draw on.
+        left: where the names begin, px.
+        column: how high, low and far to the right names may lie.
+        labels: of each line the height of its end, px, wordings, and its colour.
+    """
+    size = canvas.type.small
+    step = 1.12 * size
+    shown = sorted(labels, key=lambda label: label[0])[: max(1, int(column.height / step))]
+    heights = [y for y, _, _ in shown]
+    centres = spread_apart(heights, step, column.top + step / 2, column.bottom - step / 2)
+    for middle, (_, wordings, colour) in zip(centres, shown, strict=True):
+        text = canvas.fitted(wordings, column.right - left, size, SEMIBOLD)
+        canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
 
 def distance(box: Box, point: Point) -> float:

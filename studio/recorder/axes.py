@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.style.palette import LIGHT, Colour
+from studio.style.ticks import ratio_ticks
 from studio.style.words import number
 
 LIFT = 0.03
@@ -116,18 +116,6 @@ def linear(ticks: Sequence[float]) -> Scale:
     return Scale(tuple(ticks), tuple(number(tick) for tick in ticks))
 
 
-def round_ticks(low: float, high: float) -> tuple[float, ...]:
-    """A few round numbers, 0 among them, that hold everything from low to high."""
-    low, high = min(low, 0.0), max(high, 0.0)
-    reach = high - low or 1.0
-    power = 10.0 ** np.floor(np.log10(reach / 4.0))
-    step = next(
-        power * round_number for round_number in (1, 2, 5, 10) if reach <= 5 * power * round_number
-    )
-    first, last = np.floor(low / step + 1e-9), max(np.ceil(high / step - 1e-9), 1.0)
-    return tuple(float(f"{step * place:.6g}") for place in np.arange(first, last + 1))
-
-
 def pairs_scale(sizes: Sequence[int]) -> Scale:
     """A logarithmic scale of numbers of pairs, with a tick at each."""
     if len(sizes) == 1:
@@ -145,11 +133,7 @@ def ratio_scale(
     low: float, high: float, steps: Sequence[float] = (1.0, 3.0), unit: str = ""
 ) -> Scale:
     """A logarithmic scale from below `low` to above `high`, with ticks at steps times tens."""
-    powers = range(int(np.floor(np.log10(low))) - 1, int(np.ceil(np.log10(high))) + 2)
-    round_numbers = [float(f"{step}e{power}") for power in powers for step in steps]
-    first = max(place for place, tick in enumerate(round_numbers) if tick <= low)
-    last = min(place for place, tick in enumerate(round_numbers) if tick >= high)
-    ticks = tuple(round_numbers[first : max(last, first + 1) + 1])
+    ticks = tuple(ratio_ticks(low, high, steps))
     return Scale(ticks, tuple(f"{number(tick)}{unit}" for tick in ticks), True)
 
 

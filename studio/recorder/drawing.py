@@ -14,6 +14,9 @@ from numpy.typing import ArrayLike
 from studio.arrays import FloatArray
 from studio.style.palette import LIGHT, Colour
 
+GROUND = "ground"
+"""The entity that lies under everything else."""
+
 GROUND_REACH = 3000.0
 """The ground reaches this far from the origin, farther than any place of a scene, m."""
 
@@ -125,13 +128,18 @@ class Drawing:
         self.radii.append(radius)
 
 
-def log_ground(stream: rr.RecordingStream, path: str) -> None:
+def y_upwards() -> rr.Transform3D:
+    """The transform of an entity below which y counts upwards; on screens it counts downwards."""
+    return rr.Transform3D(scale=[1.0, -1.0, 1.0])
+
+
+def log_ground(stream: rr.RecordingStream) -> None:
     """Lay light ground under everything.
 
     One short line of enormous width: it is a fifth of the size of a background for every view.
     """
     stream.log(
-        path,
+        GROUND,
         rr.LineStrips2D(
             [[(-GROUND_REACH, 0.0), (GROUND_REACH, 0.0)]],
             colors=LIGHT.panel,

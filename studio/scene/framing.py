@@ -5,9 +5,7 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-
-Bounds = tuple[float, float, float, float]
-"""x0, y0, x1, y1 in m."""
+from studio.arrays import Bounds
 
 SURROUNDINGS = 1.6
 """What is shown around all that the robot may do, if there is anything, m."""

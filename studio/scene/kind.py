@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from scenes import Rollouts
     from studio.painter.canvas import Canvas
-    from studio.painter.encode import Segment
+    from studio.painter.segments import Segment
     from studio.recorder.contents import Contents
     from studio.recording import Excerpt, Look, Size
     from studio.scene.judgements import Judgement

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from learners import Teacher
     from studio.painter.canvas import Canvas
-    from studio.painter.encode import Segment
+    from studio.painter.segments import Segment
     from studio.recorder.contents import Contents
     from studio.recording import Excerpt, Look, Size
 

@@ -1,4 +1,4 @@
-"""What people call things, in figures and in text."""
+"""Names, numbers and counts as people read them, in figures and in text."""
 
 LONGEST_NAME = 22
 """Longer names of actions are cut in figures, in characters."""
@@ -29,11 +29,27 @@ def short(name: str) -> str:
     return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"
 
 
+def action_label(name: str) -> str:
+    """What people read for the name of an action: `slow_down` is written "slow down"."""
+    return name.replace("_", " ")
+
+
 def number(value: float, form: str = "g") -> str:
     """A number with the minus sign that people write."""
     return format(value, form).replace("-", "−")
 
 
+def rounded_number(value: float, decimals: int, form: str = "g") -> str:
+    """A number without what is left over from rounding errors, and 0 without a sign."""
+    return number(round(value, decimals) + 0.0, form)  # + 0.0 turns a −0 into a 0
+
+
+def signed(value: float) -> str:
+    """A number with two decimals and its sign; one that rounds to 0 has no sign."""
+    text = number(value, "+.2f")
+    return text if text.strip("+−0.") else "0.00"
+
+
 def counted(count: int, thing: str) -> str:
-    """So many of a thing."""
+    """A count with the thing that is counted: "1 pair", "2 pairs"."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

@@ -21,7 +21,8 @@ import pytest
 
 from scenes import META_ACTIONS
 from studio.orchestrator import Studio
-from studio.painter.encode import Segment, write_mp4
+from studio.painter.mp4 import write_mp4
+from studio.painter.segments import Segment
 from studio.scene.picture.film import compose_film
 from studio.style.palette import ACTION_COLOURS, LEARNER_COLOURS, LIGHT, Colour
 from tests.headless import web_viewer

@@ -51,14 +51,14 @@ def test_the_viewer_starts_where_links_of_the_recording_start(
 def test_an_old_file_survives_a_run_that_fails(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import studio.painter.encode
+    import studio.painter.mp4
 
     def no_space_left(*_arguments: object, **_keywords: object) -> None:
         raise RunError("no space left")
 
     for suffix in (".rrd", ".png", ".mp4"):
         (tmp_path / f"doorway{suffix}").write_text("old")
-    monkeypatch.setattr(studio.painter.encode, "write_mp4", no_space_left)
+    monkeypatch.setattr(studio.painter.mp4, "write_mp4", no_space_left)
     with pytest.raises(RunError):
         Studio(tmp_path).record("doorway", rollouts=2, horizon=0.5)
     assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}

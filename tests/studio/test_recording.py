@@ -228,7 +228,7 @@ def test_an_old_picture_survives_a_full_disk(kind: str, folder: Path, tmp_path: 
 
 
 def test_a_codec_that_is_not_there_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("studio.painter.encode._is_present", lambda name: name == "libx264")
+    monkeypatch.setattr("studio.painter.mp4._is_present", lambda name: name == "libx264")
     with pytest.raises(InputError, match="codec: 'av1' is not part of this PyAV: h264"):
         Look(codec="av1")
 

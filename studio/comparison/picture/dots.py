@@ -6,8 +6,9 @@ import numpy as np
 
 from studio.arrays import BoolArray
 from studio.comparison.dots import BINS, DOT_RADIUS, DotScale, IconGrid, Measure
-from studio.painter.canvas import Box, Canvas
-from studio.painter.plots import Axis, draw_ticks
+from studio.painter.axes import Axis, draw_ticks
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 

@@ -13,7 +13,7 @@ from studio.comparison.comparison import ENDING, MOVING, OPENING, Comparison, se
 from studio.comparison.picture.page import Page, Show, compose_comparison_picture, lay_out
 from studio.errors import InputError
 from studio.painter.canvas import Canvas
-from studio.painter.encode import Segment
+from studio.painter.segments import Segment
 from studio.style.palette import LIGHT, Theme
 from studio.style.words import counted
 

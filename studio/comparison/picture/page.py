@@ -14,8 +14,11 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_t
 from studio.comparison.dots import DotScale, Measure, measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.comparison.picture.scene import OutcomeScene
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.labels import place
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.views import View
 from studio.scene.picture.stage import (
     draw_goal,
     draw_ground,
@@ -25,9 +28,8 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import display_name
 from studio.style.palette import LIGHT, Theme, contrast
-from studio.style.words import counted
+from studio.style.words import action_label, counted
 
 SIZE = (1600, 900)
 """Of the picture unless one asks for another, px."""
@@ -166,7 +168,7 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
     canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
     left = badge.right + 0.5 * kind.heading
-    text = canvas.fitted(display_name(name), box.right - left, kind.heading, SEMIBOLD)
+    text = canvas.fitted(action_label(name), box.right - left, kind.heading, SEMIBOLD)
     ink = theme.legible(colour)
     canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
 

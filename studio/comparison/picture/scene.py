@@ -13,7 +13,9 @@ import numpy as np
 
 from scenes import Rollouts
 from studio.arrays import FloatArray
-from studio.painter.canvas import Canvas, View, tinted
+from studio.painter.canvas import Canvas
+from studio.painter.pixels import tinted
+from studio.painter.views import View
 from studio.scene.picture.crowd import between
 from studio.scene.picture.stage import (
     draw_contacts,

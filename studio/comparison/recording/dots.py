@@ -10,12 +10,11 @@ import rerun as rr
 from numpy.typing import NDArray
 
 from scenes import Rollouts
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, measures
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.scene.recording import entities
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks

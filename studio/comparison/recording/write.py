@@ -14,16 +14,17 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.recording.dots import BOUNDS, log_dots
 from studio.comparison.recording.page import comparison_page
 from studio.comparison.recording.story import log_story
+from studio.recorder.drawing import y_upwards
+from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
+from studio.recorder.views import drawn_view, gathering, opening, page_view
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.scene.recording.blueprint import VIEW_SHAPE, drawn_view, page_view, world_view
+from studio.scene.recording.blueprint import VIEW_SHAPE, world_view
 from studio.scene.recording.write import (
     identity,
     log_simulation,
-    log_text,
-    package_versions,
 )
 from studio.style.palette import LIGHT
 from studio.style.words import counted, short
@@ -56,30 +57,23 @@ def write_comparison_recording(
                 left=left, right=right, seed=comparison.seed, actions=list(comparison.actions)
             ),
         )
-        # screens count y downwards, figures count it upwards
-        stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+        stream.log(entities.FIGURES, y_upwards(), static=True)
         for side in range(len(SIDES)):
             log_story(stream, rollouts, side, theme)
             log_dots(stream, rollouts, side, theme)
-        log_text(stream, entities.ABOUT, comparison_page(comparison, judgements))
+        log_page(stream, entities.ABOUT, comparison_page(comparison, judgements))
 
 
 def comparison_blueprint(comparison: Comparison) -> rrb.Blueprint:
     """The tabs: one outcome at a time, all at once, about."""
     sides = range(len(SIDES))
-    return rrb.Blueprint(
-        rrb.Tabs(
+    return opening(
+        [
             rrb.Horizontal(*(story_side(comparison, side) for side in sides), name=QUESTION),
             rrb.Horizontal(*(whole_side(comparison, side) for side in sides), name="All at once"),
             page_view(entities.ABOUT, "About"),
-            active_tab=0,
-        ),
-        rrb.TimePanel(
-            state="collapsed", timeline=entities.STORY, play_state="playing", loop_mode="all"
-        ),
-        collapse_panels=True,
-        auto_layout=False,
-        auto_views=False,
+        ],
+        entities.STORY,
     )
 
 
@@ -93,12 +87,15 @@ def story_side(comparison: Comparison, side: int) -> rrb.Container:
         [*fixed, f"{story}/**"],
         bounds_of_shape(rollouts, *VIEW_SHAPE),
         f"{SIDES[side]}: {short(name)} (grid of 1 m)",
-        gathering=[f"{story}/paths"],
+        gathering([f"{story}/paths"], entities.STORY),
     )
     dot = "a dot: one outcome; red: contact"
     told = f"{SIDES[side]}: {counted(count, 'outcome')}, one at a time; {dot}"
     figure = drawn_view(
-        [f"{dots}/**"], BOUNDS, told, gathering=[f"{dots}/outcomes", f"{dots}/contacts"]
+        [f"{dots}/**"],
+        BOUNDS,
+        told,
+        gathering([f"{dots}/outcomes", f"{dots}/contacts"], entities.STORY),
     )
     return rrb.Vertical(world, figure, row_shares=[10, 9])
 

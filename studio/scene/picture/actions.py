@@ -8,13 +8,15 @@ import numpy as np
 from learners import PROFILES, REWARD
 from scenes import FEATURES, Rollouts
 from studio.arrays import FloatArray
-from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas
-from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks, icon_pitch, signed
+from studio.painter.axes import Axis, draw_ticks
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.marks import draw_histogram, draw_icons, icon_pitch
 from studio.scene.judgements import Judgement
-from studio.scene.picture.titles import display_name
 from studio.style.palette import Colour, blend, contrast, teacher_colour
 from studio.style.ticks import round_range, ticks
-from studio.style.words import number, teacher_name
+from studio.style.words import action_label, rounded_number, signed, teacher_name
 
 _BINS = 24
 _NOTES = ["dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
@@ -181,7 +183,7 @@ class ActionTable:
             colour = canvas.theme.action_colour(name)
             canvas.disc((row.left + 6 * unit, middle), 6 * unit, colour)
             left = row.left + 20 * unit
-            text = canvas.abbreviated(display_name(name), row.right - left, size, SEMIBOLD)
+            text = canvas.abbreviated(action_label(name), row.right - left, size, SEMIBOLD)
             canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
 
     def _draw_contacts(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
@@ -236,8 +238,7 @@ class ActionTable:
         width = canvas.measure("−0.000", size, SEMIBOLD) + 12 * unit
         for index, row in enumerate(self._rows(column)):
             given, middle = float(judgement.values[index]), row.centre[1]
-            # + 0.0 turns a −0 into a 0
-            text, right = number(round(given, 3) + 0.0, ".3f"), row.left + width - 6 * unit
+            text, right = rounded_number(given, 3, ".3f"), row.left + width - 6 * unit
             if index == judgement.best:
                 half = min(0.75 * size, row.height / 2 - canvas.hair)
                 pill = Box(row.left, middle - half, row.left + width, middle + half)

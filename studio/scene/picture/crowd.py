@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, PixelArray
-from studio.painter.canvas import Canvas, View, disc_coverage, tinted
+from studio.painter.canvas import Canvas
+from studio.painter.pixels import disc_coverage, tinted
+from studio.painter.views import View
 from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 

@@ -14,9 +14,12 @@ import numpy as np
 from scenes import Rollouts
 from studio.arrays import FloatArray, PixelArray
 from studio.errors import InputError
-from studio.painter.canvas import SEMIBOLD, Box, Canvas, View
-from studio.painter.encode import Segment
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.labels import draw_labels
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.segments import Segment
+from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.crowd import Crowd
 from studio.scene.picture.page import compose_picture
@@ -29,8 +32,9 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import display_name, subtitles, titles
+from studio.scene.picture.titles import subtitles, titles
 from studio.style.palette import LIGHT, Colour, Theme
+from studio.style.words import action_label
 
 LONGEST_ACTION = 2.0
 """Playing one action takes no longer than this, s."""
@@ -241,7 +245,7 @@ class _Strip:
             self._draw_bar(cell, canvas.theme.grid, 1.0)
             if action < index:
                 self._draw_bar(cell, colour, 1.0)
-            name = display_name(rollouts.names[action])
+            name = action_label(rollouts.names[action])
             ink = canvas.theme.legible(colour) if action <= index else canvas.theme.faint
             canvas.text(
                 (cell.left, cell.top + 1.2 * kind.body),

@@ -8,7 +8,8 @@ to each teacher.
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.canvas import Box, Canvas
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.scene.framing import bounds_to_show
 from studio.scene.judgements import Judgement
 from studio.scene.picture.actions import ActionTable

@@ -6,13 +6,15 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
+from studio.painter.axes import Axis, draw_ticks
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.marks import draw_histogram, draw_icons
 from studio.scene.picture.crowd import between
-from studio.scene.picture.titles import display_name
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
-from studio.style.words import number
+from studio.style.words import action_label, number
 
 _BINS = 24
 
@@ -28,7 +30,7 @@ class Side:
         self._contact_step = rollouts.contact_step[index]
         self._last = rollouts.steps
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
-        name = canvas.fitted(display_name(action.name), box.width, kind.title, SEMIBOLD)
+        name = canvas.fitted(action_label(action.name), box.width, kind.title, SEMIBOLD)
         title = canvas.text(
             (box.left, box.top),
             name,

@@ -7,11 +7,15 @@ import numpy as np
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 from studio.arrays import FloatArray
-from studio.painter.canvas import REGULAR, Box, Canvas, Point, View
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
+from studio.painter.lettering import REGULAR
+from studio.painter.views import View
 from studio.scene.framing import bounds_of_shape
 from studio.scene.groups import shortest_links
 from studio.style.palette import Colour, blend
+from studio.style.ticks import round_numbers, round_step
 
 
 def overlap_opacity(count: int) -> float:
@@ -32,7 +36,7 @@ def draw_ground(canvas: Canvas, view: View) -> None:
     """Draw the floor with a grid of whole metres."""
     canvas.fill(view.box, canvas.theme.panel)
     x0, y0, x1, y1 = view.bounds
-    step = next(step for step in (1, 2, 5, 10, 20, 50, 100, 1000) if step * view.scale > 12)
+    step = max(1.0, round_step(12, view.scale))  # m; lines are at least 12 px apart
     for x in range(math.ceil(x0 / step), math.floor(x1 / step) + 1):
         left = view.to_pixels([x * step, 0.0])[0]
         canvas.fill(Box(left, view.box.top, left + canvas.hair, view.box.bottom), canvas.theme.grid)
@@ -126,11 +130,9 @@ def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) ->
     Returns:
         Where it begins, px.
     """
-    lengths = [digit * 10.0**power for power in (-1, 0, 1, 2, 3) for digit in (1, 2, 5)]
-    metres = max(
-        (length for length in lengths if length * view.scale < 0.15 * view.box.width),
-        default=lengths[0],
-    )
+    lengths = round_numbers(0.1, 5000.0)  # m
+    room = 0.15 * view.box.width
+    metres = max((length for length in lengths if length * view.scale < room), default=lengths[0])
     size, tall = canvas.type.small, 0.5 * canvas.type.small
     label = canvas.text(
         (right, baseline), f"{metres:g} m", size, canvas.theme.ink, anchor="right", line="base"

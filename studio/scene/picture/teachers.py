@@ -6,13 +6,14 @@ import numpy as np
 
 from learners import value, weight
 from scenes import Rollouts
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.plots import Axis
+from studio.painter.axes import Axis
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.scene.judgements import Judgement, utilities
-from studio.scene.picture.titles import display_name
 from studio.style.palette import teacher_colour
 from studio.style.ticks import round_range, ticks
-from studio.style.words import number, teacher_name
+from studio.style.words import action_label, number, teacher_name
 
 _PROBABILITY = ["probability p · thin: of gains, bold: of losses", "probability p", "p"]
 
@@ -177,7 +178,7 @@ def _draw_parameters(
         best = rollouts.actions[judgement.best].name
         canvas.text(
             (pick.left, middle),
-            canvas.abbreviated(display_name(best), pick.width, kind.body, SEMIBOLD),
+            canvas.abbreviated(action_label(best), pick.width, kind.body, SEMIBOLD),
             kind.body,
             canvas.theme.legible(canvas.theme.action_colour(best)),
             SEMIBOLD,

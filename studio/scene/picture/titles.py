@@ -3,19 +3,18 @@
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-
-
-def display_name(name: str) -> str:
-    """An action's name as people write it."""
-    return name.replace("_", " ")
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
+from studio.style.words import counted
 
 
 def titles(rollouts: Rollouts) -> list[str]:
     """What the scene is called, the longest wording first."""
     scene = rollouts.scene
     silent = (scene.name, "custom")  # words that would repeat the name, or say nothing
-    kind = [display_name(word) for word in (scene.family, scene.pattern) if word not in silent]
+    words = [word for word in (scene.family, scene.pattern) if word not in silent]
+    kind = [word.replace("_", " ") for word in words]
     return [" · ".join([scene.name, *kind]), scene.name]
 
 
@@ -23,11 +22,11 @@ def subtitles(rollouts: Rollouts) -> list[str]:
     """What was simulated in one line, the longest wording first."""
     actions, count, steps, _ = rollouts.robot.shape
     people, groups = len(rollouts.scene.pedestrians), len(rollouts.scene.groups)
-    crowd = _plural(people, "pedestrian") + (f" in {_plural(groups, 'group')}" if groups else "")
+    crowd = counted(people, "pedestrian") + (f" in {counted(groups, 'group')}" if groups else "")
     if groups and sum(map(len, rollouts.scene.groups)) < people:
-        crowd = f"{_plural(people, 'pedestrian')}, {_plural(groups, 'group')}"
+        crowd = f"{counted(people, 'pedestrian')}, {counted(groups, 'group')}"
     horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
-    sizes = f"{_plural(actions, 'action')} × {_plural(count, 'rollout')}"
+    sizes = f"{counted(actions, 'action')} × {counted(count, 'rollout')}"
     number = rollouts.scene.number
     seed = f"seed {rollouts.seed}, number {number}" if number else f"seed {rollouts.seed}"
     return [
@@ -69,7 +68,3 @@ def draw_heading(
         line="top",
     )
     return Box(page.left, page.top, page.right, subtitle.bottom)
-
-
-def _plural(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -8,8 +8,11 @@ import numpy as np
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray
-from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, Point, View
+from studio.painter.boxes import Box, Point
+from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, draw_labels
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.stage import (
     draw_contacts,
@@ -24,8 +27,8 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
-from studio.scene.picture.titles import display_name
 from studio.style.palette import blend
+from studio.style.words import action_label
 
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 
@@ -114,7 +117,7 @@ def _scene_labels(
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
-                canvas.abbreviated(display_name(name), view.box.width / 5, body, SEMIBOLD),
+                canvas.abbreviated(action_label(name), view.box.width / 5, body, SEMIBOLD),
                 body,
                 SEMIBOLD,
                 canvas.theme.legible(canvas.theme.action_colour(name)),

@@ -1,16 +1,10 @@
-"""How a recording looks when it opens: its tabs, views, and the time that plays.
+"""How the recording of a scene looks when it opens: its tabs and their views."""
 
-Every view costs about ten kilobytes, and every style that a view lays over the data five more, so
-views are few and show things as they were logged.
-"""
-
-from collections.abc import Sequence
-
-import rerun as rr
 import rerun.blueprint as rrb
 
 from scenes import Rollouts
-from studio.scene.framing import Bounds
+from studio.arrays import Bounds
+from studio.recorder.views import drawn_view, figure_view, opening, page_view
 from studio.scene.recording import entities
 from studio.scene.recording.minds import curves_bounds
 from studio.scene.recording.outcomes import comparison_bounds, distributions_bounds
@@ -25,21 +19,15 @@ VIEW_SHAPE = (16, 9)
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
     """The tabs of a recording: overview, one an action, prospects, minds, about."""
-    return rrb.Blueprint(
-        rrb.Tabs(
+    return opening(
+        [
             overview_tab(rollouts, teachers, bounds),
             *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
             prospects_tab(rollouts, teachers),
             minds_tab(rollouts, teachers),
             page_view(entities.ABOUT, "About"),
-            active_tab=0,
-        ),
-        rrb.TimePanel(
-            state="collapsed", timeline="sim_time", play_state="playing", loop_mode="all"
-        ),
-        collapse_panels=True,
-        auto_layout=False,
-        auto_views=False,
+        ],
+        "sim_time",
     )
 
 
@@ -141,34 +129,6 @@ def comparison_view(rollouts: Rollouts, teachers: int) -> rrb.View:
     return figure_view(entities.COMPARISON, comparison_bounds(rollouts, teachers), title)
 
 
-def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
-    """A drawn figure on its page."""
-    return drawn_view([f"{figure}/**"], bounds, title)
-
-
-def drawn_view(
-    contents: list[str], bounds: Bounds, title: str, gathering: Sequence[str] = ()
-) -> rrb.View:
-    """A view of drawn things on light ground, framed by bounds whose y counts upwards.
-
-    Of what is gathering everything stays that has been there; it gathers over the story.
-    """
-    so_far = rrb.VisibleTimeRanges(
-        timeline=entities.STORY,
-        start=rr.TimeRangeBoundary.infinite(),
-        end=rr.TimeRangeBoundary.cursor_relative(),
-    )
-    x0, y0, x1, y1 = bounds
-    return rrb.Spatial2DView(
-        # only views from the root apply the transform that turns y upwards
-        origin="/",
-        contents=[f"+ /{path}" for path in (entities.GROUND, *contents)],
-        name=title,
-        visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
-        overrides={f"/{path}": so_far for path in gathering},
-    )
-
-
 def clearance_view() -> rrb.View:
     """Median clearance over time under every action."""
     return rrb.TimeSeriesView(
@@ -178,8 +138,3 @@ def clearance_view() -> rrb.View:
         # Rerun's grid is black on light ground
         background=rrb.archetypes.PlotBackground(color=LIGHT.panel, show_grid=False),
     )
-
-
-def page_view(path: str, title: str) -> rrb.View:
-    """A page of Markdown."""
-    return rrb.TextDocumentView(origin=f"/{path}", name=title)

@@ -3,7 +3,7 @@
 The recording, its blueprint and its text all take their paths from here.
 """
 
-import rerun as rr
+from studio.recorder.names import entity_part
 
 APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
@@ -14,7 +14,6 @@ COMPARISON_APPLICATION = "prospect_studio_comparison"
 STORY = "story"
 """The timeline along which a comparison plays one outcome after the other."""
 
-GROUND = "ground"
 WORLD = "world"
 GRID = "world/grid"
 WALLS = "world/walls"
@@ -44,7 +43,7 @@ SIMULATION = "/__properties/simulation"
 
 def action(name: str) -> str:
     """The world under one action."""
-    return f"{WORLD}/actions/{_part(name)}"
+    return f"{WORLD}/actions/{entity_part(name)}"
 
 
 def robots(name: str) -> str:
@@ -64,19 +63,14 @@ def paths(name: str) -> str:
 
 def distributions(name: str) -> str:
     """The figure of how the outcomes of one action are distributed."""
-    return f"{FIGURES}/actions/{_part(name)}"
+    return f"{FIGURES}/actions/{entity_part(name)}"
 
 
 def story(name: str) -> str:
     """The world under one action, its outcomes one after the other."""
-    return f"{WORLD}/story/{_part(name)}"
+    return f"{WORLD}/story/{entity_part(name)}"
 
 
 def dots(name: str) -> str:
     """The figure of one action's outcomes as dots that gather."""
-    return f"{FIGURES}/dots/{_part(name)}"
-
-
-def _part(name: str) -> str:
-    """A name as one part of an entity path, whatever characters it has."""
-    return rr.escape_entity_path_part(name)
+    return f"{FIGURES}/dots/{entity_part(name)}"

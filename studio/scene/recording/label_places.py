@@ -7,8 +7,7 @@ estimated: it is what they take where the overview is small.
 import numpy as np
 from numpy.typing import NDArray
 
-from studio.arrays import FloatArray
-from studio.scene.framing import Bounds
+from studio.arrays import Bounds, FloatArray
 
 VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0
 """Of the view of the world in a viewer that is 1280 pixels wide and 800 high, px."""

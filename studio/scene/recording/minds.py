@@ -7,13 +7,12 @@ import numpy as np
 import rerun as rr
 
 from learners import decision_weights, value, weight
-from studio.arrays import FloatArray
-from studio.recorder.axes import round_ticks
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.style.palette import LIGHT, teacher_colour
+from studio.style.ticks import round_ticks
 from studio.style.words import number, teacher_name
 
 PANEL_PITCH = 1.4

@@ -8,15 +8,14 @@ from numpy.typing import NDArray
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
-from studio.recorder.axes import round_ticks
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded, time_columns
 from studio.style.palette import LIGHT, Colour, Theme, blend
-from studio.style.words import number, short, teacher_name
+from studio.style.ticks import round_step, round_ticks
+from studio.style.words import number, rounded_number, short, teacher_name
 
 COLLISIONS = "collisions"
 """The feature that is a whole number; the others are measured."""
@@ -145,8 +144,8 @@ def draw_histogram(
     low, high, margin = edges[0], edges[-1], 0.0
     if title == COLLISIONS:  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
-    drawing.text((left + margin, -0.15), tick(low))
-    drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
+    drawing.text((left + margin, -0.15), rounded_number(low, 6))
+    drawing.text((left + PANEL_WIDTH - margin, -0.15), rounded_number(high, 6))
     drawing.text((left - 0.13, PANEL_HEIGHT), str(peak))
 
 
@@ -273,11 +272,6 @@ def measures(rollouts: Rollouts) -> dict[str, FloatArray]:
     }
 
 
-def tick(value: float) -> str:
-    """An edge of a bin in words, without what rounding adds to it."""
-    return number(round(value, 6) + 0.0)  # + 0.0 turns a −0 into a 0
-
-
 def gaps(rollouts: Rollouts) -> FloatArray:
     """Gap between each robot and the nearest pedestrian, negative where they overlap.
 
@@ -295,23 +289,13 @@ def bin_edges(title: str, values: FloatArray) -> FloatArray:
     Whole numbers are in the middle of bins of width 1.
     """
     low, high = min(0.0, float(values.min())), max(LEAST_RANGES[title], float(values.max()))
-    width, aside = bin_width(max(-low, high)), 0.0
+    width, aside = round_step((1.0 - ROUNDING) * max(-low, high), MOST_BINS), 0.0
     if title == COLLISIONS:
         width, aside = 1.0, 0.5
     first, last = np.floor(low / width + ROUNDING), np.ceil(high / width - ROUNDING)
     edges: FloatArray = width * np.arange(first - aside, last + aside + 1.0)
     edges[[0, -1]] += (-ROUNDING * width, ROUNDING * width)
     return edges
-
-
-def bin_width(reach: float) -> float:
-    """The narrowest of the round widths 1, 2 and 5 times powers of ten that suffices."""
-    power = 10.0 ** np.floor(np.log10(reach / MOST_BINS) + ROUNDING)
-    return next(
-        float(f"{power * round_number:.6g}")
-        for round_number in (1, 2, 5, 10)
-        if reach <= MOST_BINS * power * round_number * (1.0 + ROUNDING)
-    )
 
 
 def distributions_bounds(rollouts: Rollouts) -> Bounds:

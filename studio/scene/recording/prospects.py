@@ -5,14 +5,14 @@ import rerun as rr
 
 from learners import CptParameters, decision_weights
 from scenes import Rollouts
-from studio.arrays import FloatArray
-from studio.recorder.axes import Scale, linear, round_ticks
+from studio.arrays import Bounds, FloatArray
+from studio.recorder.axes import Scale, linear
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.world import rounded
 from studio.style.palette import LIGHT, Theme, teacher_colour
+from studio.style.ticks import round_ticks
 from studio.style.words import number, short, teacher_name
 
 PANEL_PITCH = 1.3

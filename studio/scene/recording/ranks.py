@@ -6,9 +6,8 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.style.palette import Theme

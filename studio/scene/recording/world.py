@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
-from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
+from studio.arrays import Bounds, FloatArray
+from studio.recorder.drawing import Drawing, y_upwards
 from studio.scene.groups import shortest_links
 from studio.scene.recording import entities
 from studio.scene.recording.label_places import (
@@ -73,8 +72,7 @@ def log_scene(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, th
     classes = [rr.AnnotationInfo(number, color=colour) for number, colour in enumerate(colours)]
     stream.log(
         entities.WORLD,
-        # screens count y downwards, the world counts it upwards
-        rr.Transform3D(scale=[1.0, -1.0, 1.0]),
+        y_upwards(),
         rr.AnnotationContext(classes),
         static=True,
     )

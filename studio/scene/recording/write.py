@@ -5,16 +5,15 @@ editions.
 """
 
 import hashlib
-import sys
 from dataclasses import asdict
-from importlib.metadata import version
 from pathlib import Path
 
 import rerun as rr
 import tomli_w
 
 from scenes import Rollouts, scene_to_toml
-from studio.recorder.drawing import log_ground
+from studio.recorder.drawing import log_ground, y_upwards
+from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
@@ -35,9 +34,6 @@ from studio.style.palette import LIGHT, Theme
 
 SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
-
-PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce")
-"""Packages whose versions a recording names."""
 
 
 def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
@@ -61,9 +57,9 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
         if rollouts.scene.pedestrians:
             log_clearance(stream, rollouts, theme)
         log_figures(stream, rollouts, judgements, theme)
-        log_text(stream, entities.SUMMARY, summary_page(rollouts, judgements))
-        log_text(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
-        log_text(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
+        log_page(stream, entities.SUMMARY, summary_page(rollouts, judgements))
+        log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
+        log_page(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
 
 
 def log_simulation(
@@ -75,7 +71,7 @@ def log_simulation(
 ) -> None:
     """Keep what was simulated and judged: all that a scene is read back from."""
     log_properties(stream, rollouts, judgements, versions)
-    log_ground(stream, entities.GROUND)
+    log_ground(stream)
     log_scene(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
     for index in range(len(rollouts.actions)):
         log_action(stream, rollouts, index, theme)
@@ -123,24 +119,12 @@ def log_figures(
     theme: Theme,
 ) -> None:
     """Draw all figures."""
-    # screens count y downwards, figures count it upwards
-    stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+    stream.log(entities.FIGURES, y_upwards(), static=True)
     log_distributions(stream, rollouts, theme)
     log_comparison(stream, rollouts, judgements, theme)
     log_prospects(stream, rollouts, judgements, theme)
     log_curves(stream, judgements)
     log_ranks(stream, rollouts.names, judgements, theme)
-
-
-def log_text(stream: rr.RecordingStream, path: str, markdown: str) -> None:
-    """Add a page of Markdown."""
-    stream.log(path, rr.TextDocument(markdown, media_type=rr.MediaType.MARKDOWN), static=True)
-
-
-def package_versions() -> dict[str, str]:
-    """Versions of Python and of the packages that shape a recording."""
-    versions = {package: version(package) for package in PACKAGES}
-    return {"python": sys.version.split()[0], **versions}
 
 
 def identity(rollouts: Rollouts) -> str:

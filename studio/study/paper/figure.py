@@ -24,7 +24,6 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
 from learners import Curve, Teacher
-from studio.painter.frames import spread_apart
 from studio.study.paper.page import (
     EDGE,
     PAD,
@@ -45,6 +44,7 @@ from studio.study.paper.page import (
 )
 from studio.study.picture.results import PARAMETERS, Results, numbers_of
 from studio.style.palette import LEARNER_COLOURS, LIGHT, learner_colour
+from studio.style.places import spread_apart
 from studio.style.words import counted, learner_name, number, teacher_name
 
 _MARK = 3.2  # size of marks, pt

@@ -19,9 +19,9 @@ from numpy.typing import ArrayLike
 
 from learners import Curve
 from studio.arrays import FloatArray
-from studio.painter.frames import decades
 from studio.study.picture.results import Results
 from studio.style.palette import LIGHT, Colour
+from studio.style.ticks import decades
 from studio.style.words import learner_name, number
 
 WIDTH = 89.0

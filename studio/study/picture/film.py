@@ -10,7 +10,7 @@ import pyarrow as pa
 
 from learners import Teacher
 from studio.arrays import PixelArray
-from studio.painter.encode import Segment
+from studio.painter.segments import Segment
 from studio.study.picture.page import SIZE, Page, draw_page, lay_out
 from studio.study.picture.results import Results
 from studio.style.palette import LIGHT, Theme

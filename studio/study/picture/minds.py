@@ -8,19 +8,20 @@ import numpy as np
 
 from learners import Teacher, unit_vector, value, weight
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.frames import (
+from studio.painter.axes import (
+    Axis,
     LogAxis,
     caption,
-    dashed_path,
-    dot,
     foot,
     ground,
     gutter,
     labels_below,
     labels_beside,
 )
-from studio.painter.plots import Axis
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.marks import dashed_path, dot
 from studio.study.picture.results import (
     PARAMETERS,
     Results,

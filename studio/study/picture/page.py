@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import pyarrow as pa
 
 from learners import Teacher
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.frames import wrapped
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.minds import draw_calibration, draw_parameters, draw_shapes
 from studio.study.picture.progress import draw_agreement, draw_regret
@@ -186,7 +187,7 @@ def _count(results: Results) -> str:
 
 def _notes(canvas: Canvas, box: Box, results: Results) -> list[str]:
     """What lines and marks mean, in lines."""
-    return wrapped(canvas, results.notes(), box.width, canvas.type.small)
+    return canvas.wrapped(results.notes(), box.width, canvas.type.small)
 
 
 def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> None:

@@ -7,25 +7,25 @@ import numpy as np
 
 from learners import Curve, Teacher
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.painter.frames import (
+from studio.painter.axes import (
+    Axis,
     LogAxis,
-    band,
     caption,
-    decades,
-    dot,
-    end_labels,
     foot,
     ground,
     gutter,
     labels_below,
     labels_beside,
 )
-from studio.painter.plots import Axis
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.labels import end_labels
+from studio.painter.lettering import SEMIBOLD
+from studio.painter.marks import band, dot
 from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales
 from studio.style.palette import Colour, learner_colour
-from studio.style.ticks import ticks
+from studio.style.ticks import decades, ticks
 from studio.style.words import learner_name, number
 
 

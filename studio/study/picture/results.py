@@ -19,7 +19,7 @@ from learners import (
     paired_differences,
 )
 from studio.arrays import FloatArray
-from studio.style.words import counted, learner_name, number
+from studio.style.words import counted, learner_name, number, signed
 
 MOST_TEACHERS = 4
 """More than that would be too small to read."""
@@ -168,7 +168,7 @@ class Results:
             if not np.isfinite(ratio):
                 times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
             shift, low, high = (
-                _signed(float(end[at[0]])) for end in (found.difference, found.low, found.high)
+                signed(float(end[at[0]])) for end in (found.difference, found.low, found.high)
             )
             interval = f" [{low}, {high}]" if found.runs[at[0]] > 1 else ""
             pairs = counted(self.sizes[-1], "pair")
@@ -302,12 +302,6 @@ def calibration(rows: Sequence[Row]) -> FloatArray:
     ]
     missed: FloatArray = 100.0 * np.array(points).reshape(-1, 2)
     return missed
-
-
-def _signed(difference: float) -> str:
-    """A difference with two decimals and its sign; one that rounds to 0 has none."""
-    text = number(difference, "+.2f")
-    return text if text.strip("+−0.") else "0.00"
 
 
 def _finite(curves: list[Curve]) -> list[Curve]:

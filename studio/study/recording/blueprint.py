@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import rerun.blueprint as rrb
 
 from learners import Teacher
-from studio.scene.framing import Bounds
-from studio.scene.recording.blueprint import drawn_view, page_view
+from studio.arrays import Bounds
+from studio.recorder.views import figure_view, opening, page_view
 from studio.study.recording import entities
 from studio.study.recording.calibration import CALIBRATION, calibration_axes
 from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
@@ -27,26 +27,19 @@ LENGTH = 12.0
 
 def learning_blueprint(results: Results) -> rrb.Blueprint:
     """The tabs: overview, one a teacher, families, calibration, about."""
-    return rrb.Blueprint(
-        rrb.Tabs(
+    return opening(
+        [
             overview_tab(results),
             *(teacher_tab(results, teacher) for teacher in results.teachers),
             *([families_tab(results)] if results.scenes else []),
             calibration_tab(results),
             page_view(entities.ABOUT, "About"),
-            active_tab=0,
-        ),
-        rrb.TimePanel(
-            state="collapsed",
-            timeline=entities.TIMELINE,
-            # the latest is the best that was learned; play begins anew from the first
-            play_state="following",
-            loop_mode="off",
-            fps=max(1.0, results.sizes[-1] / LENGTH),
-        ),
-        collapse_panels=True,
-        auto_layout=False,
-        auto_views=False,
+        ],
+        entities.TIMELINE,
+        # the latest is the best that was learned; play begins anew from the first
+        play_state="following",
+        loop_mode="off",
+        frames_per_second=max(1.0, results.sizes[-1] / LENGTH),
     )
 
 
@@ -146,7 +139,7 @@ def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
 
 def view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
     """A drawn figure about what was learned from a teacher."""
-    return drawn_view([f"{entities.figure(teacher.name, name)}/**"], bounds, title)
+    return figure_view(entities.figure(teacher.name, name), bounds, title)
 
 
 def _beside_one_another(

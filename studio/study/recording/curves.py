@@ -22,6 +22,7 @@ from studio.recorder.drawing import Drawing
 from studio.study.recording import entities
 from studio.study.results import Results
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
+from studio.style.ticks import round_step
 from studio.style.words import learner_name, teacher_name
 
 HEIGHT = 0.95
@@ -30,8 +31,8 @@ HEIGHT = 0.95
 LEAST_REGRET = 0.01
 """Smaller regrets, 0 among them, are drawn at this where there is none above, %."""
 
-AGREEMENT_STEPS = (0.01, 0.02, 0.05, 0.1)
-"""From tick to tick of the share of best actions found: the finest with few enough ticks."""
+LEAST_STEP = 0.01
+"""From tick to tick of the share of best actions found."""
 
 MOST_STEPS = 10
 """So many steps there are at most, so that the words at ticks do not touch."""
@@ -87,7 +88,7 @@ def regret_scale(curves: Sequence[Curve]) -> Scale:
 def agreement_scale(curves: Sequence[Curve]) -> Scale:
     """Of shares of scenes, up to 1."""
     below = 1.0 - min(curve.low.min() for curve in curves)
-    step = next(step for step in AGREEMENT_STEPS if below <= MOST_STEPS * step)
+    step = round_step(max(below, MOST_STEPS * LEAST_STEP), MOST_STEPS)
     steps = max(1, int(np.ceil(below / step - 1e-9)))
     ticks = [1.0 - step * place for place in range(steps, -1, -1)]
     return Scale(tuple(ticks), tuple(f"{100.0 * tick:.0f} %" for tick in ticks))

@@ -1,6 +1,6 @@
 """What the things in a recording of a study are called: its application and its entity paths."""
 
-import rerun as rr
+from studio.recorder.names import entity_part
 
 APPLICATION = "prospect_studio_learning"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
@@ -8,7 +8,6 @@ APPLICATION = "prospect_studio_learning"
 TIMELINE = "pairs"
 """The one timeline: how many pairs were learned from."""
 
-GROUND = "ground"
 FIGURES = "figures"
 SUMMARY = "summary"
 SCENES = "scenes"
@@ -18,27 +17,27 @@ STUDY = "/__properties/study"
 
 def page(teacher: str) -> str:
     """The page that says what was learned from a teacher so far."""
-    return f"pages/{_part(teacher)}"
+    return f"pages/{entity_part(teacher)}"
 
 
 def fits(teacher: str, learner: str) -> str:
     """The numbers of every fit, one a seed."""
-    return f"fits/{_part(teacher)}/{_part(learner)}"
+    return f"fits/{entity_part(teacher)}/{entity_part(learner)}"
 
 
 def curves(teacher: str, learner: str) -> str:
     """Means over seeds, with their spread."""
-    return f"curves/{_part(teacher)}/{_part(learner)}"
+    return f"curves/{entity_part(teacher)}/{entity_part(learner)}"
 
 
 def families(teacher: str, learner: str) -> str:
     """Means over seeds in each family of scenes, with their spread."""
-    return f"families/{_part(teacher)}/{_part(learner)}"
+    return f"families/{entity_part(teacher)}/{entity_part(learner)}"
 
 
 def figure(teacher: str, name: str) -> str:
     """A figure about what was learned from a teacher."""
-    return f"{FIGURES}/{_part(teacher)}/{name}"
+    return f"{FIGURES}/{entity_part(teacher)}/{name}"
 
 
 def moving(figure_path: str) -> str:
@@ -49,8 +48,3 @@ def moving(figure_path: str) -> str:
 def truth(figure_path: str) -> str:
     """What the teacher is like, above what was learnt."""
     return f"{figure_path}/truth"
-
-
-def _part(name: str) -> str:
-    """A name as one part of an entity path, whatever characters it has."""
-    return rr.escape_entity_path_part(name)

@@ -7,10 +7,9 @@ import numpy as np
 import rerun as rr
 
 from learners import SceneRegrets, Teacher
-from studio.arrays import FloatArray
+from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import KEY_STEP, LIFT, Scale, draw_key, ratio_scale
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.study.recording import entities
 from studio.study.results import FAMILY_COLUMNS, Results
 from studio.style.palette import LIGHT, blend, learner_colour

@@ -11,10 +11,9 @@ import numpy as np
 import rerun as rr
 
 from learners import FEATURES, CptParameters, Curve, Teacher, unit_vector, value, weight
-from studio.arrays import FloatArray
-from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear, round_ticks
+from studio.arrays import Bounds, FloatArray
+from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear
 from studio.recorder.drawing import Drawing
-from studio.scene.framing import Bounds
 from studio.study.recording import entities
 from studio.study.results import (
     CPT_COLUMNS,
@@ -24,6 +23,7 @@ from studio.study.results import (
     true_parameters,
 )
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
+from studio.style.ticks import doublings, round_ticks
 from studio.style.words import learner_name, teacher_name
 
 GAIN_WEIGHTS, LOSS_WEIGHTS, VALUES = "weights_of_gains", "weights_of_losses", "values"
@@ -44,8 +44,8 @@ ROW = 0.095
 KEY_COLUMNS = 2
 """How many learners the key of that figure names beside one another."""
 
-PARAMETER_TICKS = (0.25, 0.5, 1.0, 2.0, 4.0)
-"""Of the scale of parameters; doublings are added until it holds twice the teachers' largest."""
+LEAST_PARAMETER, LARGEST_PARAMETER = 0.25, 4.0
+"""The scale of parameters reaches at least from the one to the other."""
 
 
 @dataclass(frozen=True)
@@ -238,11 +238,7 @@ def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour
 def parameter_scales(results: Results) -> tuple[Scale, Scale]:
     """The scales of θ/‖θ‖ and of the parameters, the same for all teachers."""
     truths = [number for teacher in results.teachers for number in true_parameters(teacher)]
-    ticks = list(PARAMETER_TICKS)
-    while ticks[0] > min(truths):
-        ticks.insert(0, ticks[0] / 2.0)
-    while ticks[-1] < 2.0 * max(truths):
-        ticks.append(2.0 * ticks[-1])
+    ticks = doublings(min(LEAST_PARAMETER, *truths), max(LARGEST_PARAMETER, 2.0 * max(truths)))
     parameters = Scale(tuple(ticks), tuple(f"{tick:.3g}" for tick in ticks), True)
     return linear((-1.0, -0.5, 0.0, 0.5, 1.0)), parameters
 

@@ -7,6 +7,7 @@ import numpy as np
 import rerun as rr
 
 from learners import Teacher
+from studio.recorder.pages import log_page
 from studio.study.recording import entities
 from studio.study.recording.families import LEAST_PERCENT, family_figure
 from studio.study.results import Results
@@ -37,7 +38,7 @@ def log_scenes(stream: rr.RecordingStream, results: Results, links: Links) -> No
     for pairs in results.sizes:
         stream.set_time(entities.TIMELINE, sequence=pairs)
         page = scenes_page(results, links, pairs)
-        stream.log(entities.SCENES, rr.TextDocument(page, media_type=rr.MediaType.MARKDOWN))
+        log_page(stream, entities.SCENES, page, static=False)
     stream.reset_time()
 
 

@@ -17,9 +17,9 @@ import tomli_w
 from numpy.typing import NDArray
 
 from learners import Teacher
-from studio.recorder.drawing import log_ground
+from studio.recorder.drawing import log_ground, y_upwards
+from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
-from studio.scene.recording.write import log_text, package_versions
 from studio.study.recording import entities
 from studio.study.recording.blueprint import learning_blueprint
 from studio.study.recording.calibration import log_calibration
@@ -65,23 +65,22 @@ def write_learning_recording(
     with recording_to(path, entities.APPLICATION, identity, blueprint) as stream:
         stream.set_log_tick_enabled(False)
         log_properties(stream, results, settings, versions)
-        log_ground(stream, entities.GROUND)
-        # screens count y downwards, figures count it upwards
-        stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
+        log_ground(stream)
+        stream.log(entities.FIGURES, y_upwards(), static=True)
         for teacher in results.teachers:
             for kind in (REGRET, AGREEMENT, LIKELIHOOD):
                 log_curve_figure(stream, results, teacher, kind)
             log_minds(stream, results, teacher)
             log_calibration(stream, results, teacher)
             log_numbers(stream, results, teacher)
-            log_page(stream, results, teacher)
+            log_teacher_page(stream, results, teacher)
             if results.scenes:
                 log_families(stream, results, teacher)
                 log_family_numbers(stream, results, teacher)
         if results.scenes:
             log_scenes(stream, results, links or {})
-        log_text(stream, entities.SUMMARY, summary_page(results))
-        log_text(stream, entities.ABOUT, about_page(results, settings, versions))
+        log_page(stream, entities.SUMMARY, summary_page(results))
+        log_page(stream, entities.ABOUT, about_page(results, settings, versions))
 
 
 def log_properties(
@@ -136,15 +135,12 @@ def log_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) 
     stream.reset_time()
 
 
-def log_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_teacher_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
     """Add the page that says what was learned so far."""
     for pairs in results.sizes:
         stream.set_time(entities.TIMELINE, sequence=pairs)
         page = teacher_page(results, teacher, pairs)
-        stream.log(
-            entities.page(teacher.name),
-            rr.TextDocument(page, media_type=rr.MediaType.MARKDOWN),
-        )
+        log_page(stream, entities.page(teacher.name), page, static=False)
     stream.reset_time()
 
 

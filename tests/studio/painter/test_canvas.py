@@ -7,21 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from studio.errors import InputError
-from studio.painter.canvas import Box, Canvas, View, disc_coverage
+from studio.painter.axes import Axis
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, distance, place
-from studio.painter.plots import Axis, draw_icons
-from studio.style.palette import (
-    ACTION_COLOURS,
-    LEARNER_COLOURS,
-    LIGHT,
-    OTHER_LEARNERS,
-    TEACHER_COLOURS,
-    THEMES,
-    Theme,
-    contrast,
-)
-from studio.style.ticks import round_range, ticks
-from studio.style.words import number
+from studio.painter.marks import draw_icons
+from studio.painter.pixels import disc_coverage
+from studio.painter.views import View
+from studio.style.palette import LIGHT
 
 WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
 
@@ -256,21 +249,6 @@ def test_a_label_that_finds_no_room_is_left_out():
     assert place([a_label(canvas, (5.0, 5.0))], canvas, Box(0, 0, 20, 20), WHITE) == [None]
 
 
-@given(low=st.floats(-1e4, 1e4), length=st.floats(1e-3, 1e4))
-def test_axes_end_at_round_values_around_the_data(low, length):
-    start, end = round_range(low, low + length)
-    assert start <= low + 1e-6 * length
-    assert end >= low + length * (1 - 1e-6)
-    assert end - start <= 1.5 * length
-    marks = ticks(start, end, 4)
-    assert 1 <= len(marks) <= 6
-    assert all(start - 1e-6 * length <= mark <= end + 1e-6 * length for mark in marks)
-
-
-def test_numbers_are_short_and_have_a_true_minus_sign():
-    assert [number(value) for value in (0.0, 0.5, -2.0)] == ["0", "0.5", "−2"]
-
-
 def test_values_off_an_axis_lie_at_its_end():
     axis = Axis(0.0, 2.0, 100.0, 200.0)
     assert [axis.at(value) for value in (-1.0, 0.0, 1.0, 5.0)] == [100.0, 100.0, 150.0, 200.0]
@@ -282,29 +260,3 @@ def test_an_icon_array_has_one_dot_a_rollout_and_the_touched_ones_in_red():
     reds = (canvas.pixels == (213, 43, 30)).all(axis=-1)
     blues = (canvas.pixels == (0, 0, 200)).all(axis=-1)
     assert reds.sum() / (reds.sum() + blues.sum()) == pytest.approx(12 / 50, abs=0.01)
-
-
-@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_every_colour_can_be_made_text_that_is_read_on_its_ground(theme: Theme):
-    given = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values(), theme.contact]
-    for colour in given:
-        assert contrast(theme.legible(colour), theme.ground) >= 4.5
-    assert theme.legible(theme.ink) == theme.ink
-
-
-@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_every_colour_stands_out_from_its_ground(theme: Theme):
-    named = [*ACTION_COLOURS, *TEACHER_COLOURS.values(), *LEARNER_COLOURS.values()]
-    for colour in (*named, *OTHER_LEARNERS, theme.contact, theme.wall, theme.pedestrian):
-        assert contrast(colour, theme.panel) >= 2.1
-
-
-def test_an_action_has_its_colour_whichever_others_are_shown():
-    whole = LIGHT.of(["forward", "stop", "turn_left"])
-    assert whole.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[2]
-    assert LIGHT.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[0]
-
-
-def test_contrast_is_that_of_the_guidelines():
-    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
-    assert contrast((119, 119, 119), (255, 255, 255)) == pytest.approx(4.48, abs=0.01)

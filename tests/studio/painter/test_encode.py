@@ -6,14 +6,10 @@ import numpy as np
 import pytest
 
 from studio.errors import InputError
-from studio.painter import encode
-from studio.painter.encode import (
-    Segment,
-    check_codec,
-    check_film_size,
-    write_gif,
-    write_mp4,
-)
+from studio.painter import mp4
+from studio.painter.gif import write_gif
+from studio.painter.mp4 import check_codec, check_film_size, write_mp4
+from studio.painter.segments import Segment
 
 SIZE = (160, 96)
 FLAT_BLUE = slice(2, 20), slice(2, -2)
@@ -189,8 +185,8 @@ def test_a_codec_that_is_not_known_is_refused_before_anything_is_drawn(tmp_path)
 
 
 def test_a_codec_that_pyav_was_built_without_is_refused(monkeypatch):
-    lacking = encode._Codec("no-such-encoder", {})
-    monkeypatch.setitem(encode._CODECS, "av1", lacking)
+    lacking = mp4._Codec("no-such-encoder", {})
+    monkeypatch.setitem(mp4._CODECS, "av1", lacking)
     with pytest.raises(InputError, match="codec: 'av1' is not part of this PyAV: h264"):
         check_codec("av1")
 

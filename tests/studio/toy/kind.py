@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import rerun as rr
 
 from studio.painter.canvas import Canvas
-from studio.painter.encode import Segment
+from studio.painter.segments import Segment
 from studio.recorder.contents import Contents
 from studio.recording import Excerpt, Look, Size
 

@@ -21,8 +21,9 @@ from studio.comparison.picture.page import (
     lay_out,
 )
 from studio.errors import InputError
-from studio.painter.canvas import Box, Canvas
-from studio.painter.encode import write_mp4
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.mp4 import write_mp4
 from studio.style.palette import DARK, LIGHT
 
 SIZE = (640, 360)

@@ -7,7 +7,7 @@ import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, simulate
 from studio.errors import InputError
-from studio.painter.encode import write_mp4
+from studio.painter.mp4 import write_mp4
 from studio.scene.judgements import judge
 from studio.scene.picture.crowd import Ghosts, Trails
 from studio.scene.picture.film import compose_film, frame_times, lay_out, play, play_speed

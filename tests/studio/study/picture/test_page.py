@@ -8,7 +8,7 @@ import pytest
 
 from learners import PROFILES, TEACHERS, Teacher
 from studio.errors import InputError
-from studio.painter.encode import write_mp4
+from studio.painter.mp4 import write_mp4
 from studio.study.picture.film import compose_learning_film
 from studio.study.picture.page import compose_learning_picture, draw_page, lay_out
 from studio.study.picture.results import Results

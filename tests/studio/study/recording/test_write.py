@@ -33,7 +33,6 @@ from studio.recorder.axes import (
     linear,
     pairs_scale,
     ratio_scale,
-    round_ticks,
 )
 from studio.study.recording.curves import AGREEMENT, REGRET
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
@@ -547,17 +546,6 @@ def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: floa
     assert ticks[0] <= lowest + 1e-9
     assert 2 <= len(ticks) <= 11
     assert ticks[1] - ticks[0] < max(0.011, (1.0 - lowest) / 3.0)
-
-
-@pytest.mark.parametrize(
-    ("low", "high"), [(0.0, 1.0), (-3.2, 0.4), (-0.02, 0.05), (0.0, 0.0), (-1.4, 0.6), (0.0, 999.0)]
-)
-def test_round_ticks_hold_everything_and_are_few(low: float, high: float) -> None:
-    ticks = round_ticks(low, high)
-    assert ticks[0] <= low
-    assert ticks[-1] >= high
-    assert 0.0 in ticks
-    assert 2 <= len(ticks) <= 8
 
 
 @pytest.mark.parametrize(("low", "high"), [(0.01, 0.03), (0.4, 20.0), (1.0, 1.0), (30.0, 100.0)])

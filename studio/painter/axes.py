@@ -1,20 +1,45 @@
-"""Plots that compare runs: frames with axes, bands, and names at the ends of lines."""
+"""Axes of plots: where values lie, the panel with its grid, and what is written around it."""
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import ArrayLike
 
 from studio.arrays import FloatArray
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-from studio.style.palette import Colour
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import SEMIBOLD
 from studio.style.words import number
 
-_BAND = 0.22
-"""How opaque a band is."""
+
+@dataclass(frozen=True)
+class Axis:
+    """A linear axis from one value to another over a stretch of the page.
+
+    Attributes:
+        low: value at `start`.
+        high: value at `end`.
+        start: px.
+        end: px.
+    """
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def at(self, value: float) -> float:
+        """Where a value lies, px; values off the axis lie at its end."""
+        share = (value - self.low) / (self.high - self.low)
+        return self.start + min(max(share, 0.0), 1.0) * (self.end - self.start)
+
+    def along(self, values: FloatArray) -> FloatArray:
+        """Where values lie, px; values off the axis lie at its end."""
+        shares = np.clip((values - self.low) / (self.high - self.low), 0.0, 1.0)
+        pixels: FloatArray = self.start + shares * (self.end - self.start)
+        return pixels
 
 
 @dataclass(frozen=True)
@@ -48,17 +73,6 @@ class LogAxis:
     def at(self, value: float) -> float:
         """Where a value lies, px."""
         return float(self.along(value))
-
-
-def decades(low: float, high: float) -> list[float]:
-    """The powers of ten from `low` to `high`, or 1, 2 and 5 times such where these are few."""
-    exponents = range(math.floor(math.log10(low)) - 1, math.ceil(math.log10(high)) + 1)
-    for digits in ((1.0,), (1.0, 3.0), (1.0, 2.0, 5.0)):
-        found = [digit * 10.0**exponent for exponent in exponents for digit in digits]
-        found = [mark for mark in found if low * 0.999 <= mark <= high * 1.001]
-        if len(found) >= 3:
-            break
-    return found
 
 
 def caption(canvas: Canvas, box: Box, wordings: str | Sequence[str]) -> Box:
@@ -95,6 +109,24 @@ def ground(
     for y in up:
         top = min(round(y), round(panel.bottom) - canvas.hair)
         canvas.fill(Box(panel.left, top, panel.right, top + canvas.hair), canvas.theme.grid)
+
+
+def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) -> None:
+    """Write the values under a horizontal axis, leaving out those that would touch.
+
+    The outermost labels are pushed inwards to stay between the ends of the axis.
+    """
+    size, gap = canvas.type.small, 5 * canvas.unit
+    right_of_last = -math.inf
+    for value in values:
+        text = number(value)
+        half = canvas.measure(text, size) / 2
+        centre = min(max(axis.at(value), axis.start + half), axis.end - half)
+        if centre - half >= right_of_last + gap:
+            box = canvas.text(
+                (centre, top), text, size, canvas.theme.faint, anchor="centre", line="top"
+            )
+            right_of_last = box.right
 
 
 def labels_below(
@@ -151,92 +183,3 @@ def labels_beside(
                     (right, middle), number(value), size, canvas.theme.faint, anchor="right"
                 )
             )
-
-
-def band(
-    canvas: Canvas, panel: Box, x: FloatArray, low: FloatArray, high: FloatArray, colour: Colour
-) -> None:
-    """Fill, translucently, between two lines at the pixels x."""
-    part = canvas.clipped(panel)
-    filled = part.copy()
-    there = np.stack([x, low], axis=-1)
-    back = np.stack([x, high], axis=-1)[::-1]
-    filled.polygon(np.concatenate([there, back]), colour)
-    cv2.addWeighted(filled.pixels, _BAND, part.pixels, 1.0 - _BAND, 0.0, dst=part.pixels)
-
-
-def dashed_path(canvas: Canvas, points: FloatArray, colour: Colour, width: float) -> None:
-    """Draw a curve [N, 2] in dashes as long as the gaps between them."""
-    dash = 6 * canvas.unit
-    lengths = np.hypot(*np.diff(points, axis=0).T)
-    along = np.concatenate([[0.0], lengths.cumsum()])
-    for start in np.arange(0.0, along[-1], 2 * dash):
-        steps = np.linspace(start, min(start + dash, along[-1]), 7)
-        piece = [np.interp(steps, along, points[:, axis]) for axis in (0, 1)]
-        canvas.line(np.stack(piece, axis=-1), colour, width)
-
-
-def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0) -> None:
-    """Draw a disc that a rim keeps apart from what is below; radius in units of the page."""
-    canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
-    canvas.disc((x, y), radius * canvas.unit, colour)
-
-
-def end_labels(
-    canvas: Canvas,
-    left: float,
-    column: Box,
-    labels: Sequence[tuple[float, Sequence[str], Colour]],
-) -> None:
-    """Write names beside the ends of lines, moved apart where they would touch.
-
-    Args:
-        canvas: to draw on.
-        left: where the names begin, px.
-        column: how high, low and far to the right names may lie.
-        labels: of each line the height of its end, px, wordings, and its colour.
-    """
-    size = canvas.type.small
-    step = 1.12 * size
-    shown = sorted(labels, key=lambda label: label[0])[: max(1, int(column.height / step))]
-    heights = [y for y, _, _ in shown]
-    centres = spread_apart(heights, step, column.top + step / 2, column.bottom - step / 2)
-    for middle, (_, wordings, colour) in zip(centres, shown, strict=True):
-        text = canvas.fitted(wordings, column.right - left, size, SEMIBOLD)
-        canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
-
-
-def spread_apart(heights: Sequence[float], step: float, low: float, high: float) -> list[float]:
-    """Heights moved so far apart that neighbours are a step away from one another.
-
-    Args:
-        heights: ascending, px.
-        step: least distance, px; that many steps fit between `low` and `high`.
-        low: least height allowed, px.
-        high: largest height allowed, px.
-    """
-    spread = list(heights)
-    last = len(spread) - 1
-    for _ in range(30):
-        for index in range(last):
-            push = max(spread[index] + step - spread[index + 1], 0.0) / 2
-            spread[index] -= push
-            spread[index + 1] += push
-    # what is left to do is exact, and keeps to the limits
-    for index in range(last + 1):
-        spread[index] = max(spread[index], spread[index - 1] + step if index else low)
-    for index in range(last, -1, -1):
-        spread[index] = min(spread[index], spread[index + 1] - step if index < last else high)
-    return spread
-
-
-def wrapped(canvas: Canvas, sentences: Sequence[str], width: float, size: int) -> list[str]:
-    """Sentences one after another, broken into lines that are no wider than this, px."""
-    lines: list[str] = []
-    for word in " ".join(sentences).split(" "):
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and canvas.measure(longer, size) <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return lines

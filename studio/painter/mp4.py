@@ -1,17 +1,15 @@
-"""Films from frames: MP4 and GIF files, with the same bytes on every machine.
+"""Films as MP4 files, with the same bytes on every machine.
 
-A film is a list of segments. For MP4, each is encoded by an encoder of its own on one thread, and
-begins with a key frame; two segments are encoded at a time. So the bytes depend neither on how many
-cores there are nor on which segment is done first, and players can jump to every segment. A GIF is
-made in two rounds: the first finds the palette that suits all frames best, the second encodes.
+Each segment is encoded by an encoder of its own on one thread, and begins with a key frame; two
+segments are encoded at a time. So the bytes depend neither on how many cores there are nor on which
+segment is done first, and players can jump to every segment.
 """
 
-import io
 import os
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -22,44 +20,23 @@ import cv2
 import numpy as np
 from av.codec.codec import UnknownCodecError
 from av.codec.context import Flags
-from av.filter import Graph
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc
 
-from studio.arrays import PixelArray
 from studio.errors import InputError
-
-Progress = Callable[[int, int], None]
-"""Told how many frames are done, and of how many."""
+from studio.painter.segments import Progress, Segment, check_rate, check_sides
 
 VideoPacket: TypeAlias = "av.Packet[av.VideoStream]"
 
-SMALLEST_SIDE = 64
 LARGEST_FILM_SIDE = 4096
-LARGEST_GIF_SIDE = 1920
-"""Of frames, px."""
+"""Of a frame, px."""
 
 MOST_FILM_FRAMES = 60
-MOST_GIF_FRAMES = 50
-"""A second; browsers slow GIFs down that ask for more."""
+"""A second."""
 
 _WORKERS = 2
 
 # the AV1 encoder would describe itself at length on the standard error
 os.environ.setdefault("SVT_LOG", "1")
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A part of a film.
-
-    Attributes:
-        length: how many frames it has.
-        frames: makes its frames, one after the other, each [height, width, 3] in red, green,
-            blue; a frame need last only until the next one is asked for. It may be called again.
-    """
-
-    length: int
-    frames: Callable[[], Iterable[PixelArray]]
 
 
 @dataclass(frozen=True)
@@ -106,7 +83,7 @@ def check_film_size(size: tuple[int, int]) -> None:
         raise InputError(
             f"size: {size[0]}x{size[1]} pixels is not allowed: a film's width and height are even"
         )
-    _check_sides(size, LARGEST_FILM_SIDE)
+    check_sides(size, LARGEST_FILM_SIDE)
 
 
 def write_mp4(
@@ -132,7 +109,7 @@ def write_mp4(
         OSError: if the file cannot be written.
     """
     check_film_size(size)
-    check_rate(frames_per_second)
+    check_rate(frames_per_second, MOST_FILM_FRAMES)
     check_codec(codec)
     form = _Form(_CODECS[codec], size, frames_per_second)
     total, done = sum(segment.length for segment in segments), 0
@@ -171,84 +148,12 @@ def write_mp4(
     _join(path, encoded, form)
 
 
-def write_gif(
-    path: Path,
-    segments: Sequence[Segment],
-    size: tuple[int, int],
-    frames_per_second: int,
-    progress: Progress | None = None,
-) -> None:
-    """Write segments as an animated GIF that starts over for ever.
-
-    All frames share the palette of 256 colours that suits them best, without dithering. A frame
-    that looks like the one before only makes that one stand longer, the last one too.
-
-    Args:
-        path: of the file.
-        segments: of the film, in order; their frames are made twice.
-        size: width and height of every frame, px; 64 to 1920, odd ones too.
-        frames_per_second: whole, 1 to 50.
-        progress: called after every frame of both rounds.
-
-    Raises:
-        InputError: if the size or the number of frames is not allowed.
-        OSError: if the file cannot be written.
-    """
-    _check_sides(size, LARGEST_GIF_SIDE)
-    check_rate(frames_per_second, MOST_GIF_FRAMES)
-    length = sum(segment.length for segment in segments)
-
-    def told(before: int) -> Iterator[tuple[int, PixelArray]]:
-        """All frames with their numbers, without those that look like the one before."""
-        shown = np.empty((0, 0, 3), np.uint8)
-        index = 0
-        for segment in segments:
-            for pixels in segment.frames():
-                if not np.array_equal(pixels, shown):
-                    shown = pixels.copy()
-                    yield index, shown
-                index += 1
-                if progress is not None:
-                    progress(before + index, 2 * length)
-
-    palette, last = _palette(told(0), size)
-    held = round(100 * (length - last) / frames_per_second)
-    animation = _animation(told(length), palette, held, size, frames_per_second)
-    path.write_bytes(animation)
-
-
-# What is allowed
-
-
 def _is_present(encoder: str) -> bool:
     try:
         av.Codec(encoder, "w")
     except UnknownCodecError:
         return False
     return True
-
-
-def _check_sides(size: tuple[int, int], largest: int) -> None:
-    if not all(SMALLEST_SIDE <= side <= largest for side in size):
-        raise InputError(
-            f"size: {size[0]}x{size[1]} pixels is not allowed: at least "
-            f"{SMALLEST_SIDE}x{SMALLEST_SIDE} and at most {largest}x{largest}"
-        )
-
-
-def check_rate(frames_per_second: int, most: int = MOST_FILM_FRAMES) -> None:
-    """Refuse more or fewer frames per second than films can have.
-
-    Raises:
-        InputError: if they are not a whole number of at least 1 and at most `most`.
-    """
-    if frames_per_second not in range(1, most + 1):
-        raise InputError(
-            f"frames_per_second: {frames_per_second} is not allowed: a whole number, 1 to {most}"
-        )
-
-
-# MP4
 
 
 @dataclass(frozen=True)
@@ -324,71 +229,3 @@ def _one_thread_each() -> Iterator[None]:
         yield
     finally:
         cv2.setNumThreads(before)
-
-
-# GIF
-
-
-def _palette(
-    frames: Iterator[tuple[int, PixelArray]], size: tuple[int, int]
-) -> tuple[av.VideoFrame, int]:
-    """The best palette for numbered frames, and the number of the last one."""
-    graph = _graph("palettegen", "reserve_transparent=0", 1, [(*size, "rgb24")])
-    last = 0
-    for last, pixels in frames:
-        graph.push(_numbered(pixels, last))
-    graph.push(None)
-    return cast(av.VideoFrame, graph.pull()), last
-
-
-def _animation(
-    frames: Iterator[tuple[int, PixelArray]],
-    palette: av.VideoFrame,
-    held: int,
-    size: tuple[int, int],
-    frames_per_second: int,
-) -> bytes:
-    """A GIF file of numbered frames, the last of them held for so many hundredths of a second."""
-    inputs = [(*size, "rgb24"), (16, 16, "bgra")]
-    graph = _graph("paletteuse", "dither=none", frames_per_second, inputs)
-    graph.push(palette, 1)
-    graph.push(None, 1)
-    file = io.BytesIO()
-    options = {"loop": "0", "final_delay": str(held)}
-    with av.open(file, "w", format="gif", options=options) as container:
-        stream = container.add_stream("gif", rate=frames_per_second)
-        stream.width, stream.height = size
-        stream.pix_fmt = "pal8"
-
-        def add(numbered: av.VideoFrame | None) -> None:
-            graph.push(numbered, 0)
-            with suppress(BlockingIOError, EOFError):
-                while True:
-                    container.mux(stream.encode(cast(av.VideoFrame, graph.pull())))
-
-        for number, pixels in frames:
-            add(_numbered(pixels, number))
-        add(None)
-        container.mux(stream.encode(None))
-    return file.getvalue()
-
-
-def _numbered(pixels: PixelArray, number: int) -> av.VideoFrame:
-    frame = av.VideoFrame.from_numpy_buffer(pixels, format="rgb24")
-    frame.pts = number
-    return frame
-
-
-def _graph(
-    name: str, options: str, frames_per_second: int, inputs: Sequence[tuple[int, int, str]]
-) -> Graph:
-    """A filter with inputs of these widths, heights and pixel formats, ready for use."""
-    graph = Graph()
-    filtering, sink = graph.add(name, options), graph.add("buffersink")
-    for index, (width, height, pixel_format) in enumerate(inputs):
-        form = f"width={width}:height={height}:pix_fmt={pixel_format}"
-        buffer = graph.add("buffer", f"{form}:time_base=1/{frames_per_second}")
-        buffer.link_to(filtering, 0, index)
-    filtering.link_to(sink)
-    graph.configure()
-    return graph

@@ -1,0 +1,74 @@
+"""Points and boxes on a page, px, x to the right and y down, and how boxes are cut."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle on the page, px."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @property
+    def width(self) -> float:
+        """Width, px."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Height, px."""
+        return self.bottom - self.top
+
+    @property
+    def centre(self) -> Point:
+        """The point in the middle."""
+        return (self.left + self.right) / 2, (self.top + self.bottom) / 2
+
+    def inset(self, by: float) -> "Box":
+        """The box with every side moved in (out, if negative) by so many px."""
+        return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
+
+    def contains(self, other: "Box") -> bool:
+        """Whether the other box lies wholly inside."""
+        return (
+            self.left <= other.left
+            and self.top <= other.top
+            and other.right <= self.right
+            and other.bottom <= self.bottom
+        )
+
+    def overlaps(self, other: "Box") -> bool:
+        """Whether the two share more than an edge."""
+        return (
+            self.left < other.right
+            and other.left < self.right
+            and self.top < other.bottom
+            and other.top < self.bottom
+        )
+
+    def columns(self, widths: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
+        """Cut into columns whose widths stand in these proportions, with gaps between (px)."""
+        edges = _cuts(self.left, self.width, widths, gap)
+        return tuple(Box(start, self.top, end, self.bottom) for start, end in edges)
+
+    def rows(self, heights: Sequence[float], gap: float = 0.0) -> "tuple[Box, ...]":
+        """Cut into rows whose heights stand in these proportions, with gaps between (px)."""
+        edges = _cuts(self.top, self.height, heights, gap)
+        return tuple(Box(self.left, start, self.right, end) for start, end in edges)
+
+
+def _cuts(
+    start: float, length: float, shares: Sequence[float], gap: float
+) -> list[tuple[float, float]]:
+    unit = (length - gap * (len(shares) - 1)) / sum(shares)
+    cuts = []
+    for share in shares:
+        cuts.append((start, start + share * unit))
+        start += share * unit + gap
+    return cuts

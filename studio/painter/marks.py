@@ -1,0 +1,131 @@
+"""Marks in plots: dots, icons, histograms, bands and dashed curves."""
+
+import math
+
+import cv2
+import numpy as np
+
+from studio.arrays import BoolArray, FloatArray
+from studio.painter.axes import Axis
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.style.palette import Colour
+
+_BAND = 0.22
+"""How opaque a band is."""
+
+
+def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0) -> None:
+    """Draw a disc that a rim keeps apart from what is below; radius in units of the page."""
+    canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
+    canvas.disc((x, y), radius * canvas.unit, colour)
+
+
+def icon_columns(count: int, rows: int = 5) -> int:
+    """How many columns an icon array of so many icons in so many rows has."""
+    return math.ceil(count / rows)
+
+
+def icon_pitch(box: Box, count: int, rows: int = 5) -> float:
+    """Distance between the icons of an array of so many in so many rows, px.
+
+    It is 0 where icons would be too small to tell apart.
+    """
+    pitch = min(box.width / icon_columns(count, rows), box.height / rows)
+    return pitch if pitch >= 3.0 else 0.0
+
+
+def draw_icons(
+    canvas: Canvas, box: Box, touched: int, count: int, colour: Colour, rows: int = 5
+) -> Box:
+    """Draw an icon array: one dot a rollout, those that touched something first and red.
+
+    Where dots would be too small to tell apart, a bar stands for them that fills with red.
+
+    Returns:
+        The box that it takes up, at the left of the given one.
+    """
+    columns, pitch = icon_columns(count, rows), icon_pitch(box, count, rows)
+    if not pitch:
+        bar = Box(
+            box.left, box.centre[1] - 4 * canvas.unit, box.right, box.centre[1] + 4 * canvas.unit
+        )
+        canvas.fill(bar, canvas.theme.grid)
+        if touched:
+            share = max(bar.width * touched / count, 1.0)
+            canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), canvas.theme.contact)
+        return bar
+    top = box.centre[1] - rows * pitch / 2
+    for index in range(count):
+        column, row = divmod(index, rows)
+        centre = (box.left + (column + 0.5) * pitch, top + (row + 0.5) * pitch)
+        canvas.disc(centre, 0.38 * pitch, canvas.theme.contact if index < touched else colour)
+    return Box(box.left, top, box.left + columns * pitch, top + rows * pitch)
+
+
+def draw_histogram(
+    canvas: Canvas,
+    box: Box,
+    axis: Axis,
+    values: FloatArray,
+    edges: FloatArray,
+    colour: Colour,
+    contact: BoolArray,
+) -> None:
+    """Draw a histogram, scaled to its own peak, with the rollouts in contact red at the bottom.
+
+    A dot marks the mean.
+
+    A bin that holds anything is at least a sliver high: rare outcomes are what matters here.
+
+    Args:
+        canvas: to draw on.
+        box: height of the plot, px.
+        axis: where values lie.
+        values: [K]; those off the axis count in its first or last bin.
+        edges: [B + 1] edges of the bins.
+        colour: of the bars.
+        contact: [K], which rollouts touched something.
+    """
+    inside = np.clip(values, edges[0], edges[-1])
+    counts, _ = np.histogram(inside, edges)
+    touched, _ = np.histogram(inside[contact], edges)
+    sliver, gap = max(2.0, 2 * canvas.unit), max(1.0, canvas.unit)
+    pixels = np.rint(axis.along(edges))
+    for left, right, count, red in zip(pixels, pixels[1:], counts, touched, strict=False):
+        if not count:
+            continue
+        height = max(box.height * count / counts.max(), sliver)
+        red_height = max(height * red / count, sliver) if red else 0.0
+        bar = Box(left, box.bottom - height, max(right - gap, left + 1), box.bottom)
+        canvas.fill(bar, colour)
+        if red:
+            canvas.fill(
+                Box(bar.left, box.bottom - red_height, bar.right, box.bottom), canvas.theme.contact
+            )
+    mean = (axis.at(float(inside.mean())), box.bottom)
+    canvas.disc(mean, 4.5 * canvas.unit, canvas.theme.ground)
+    canvas.disc(mean, 3.2 * canvas.unit, canvas.theme.ink)
+
+
+def band(
+    canvas: Canvas, panel: Box, x: FloatArray, low: FloatArray, high: FloatArray, colour: Colour
+) -> None:
+    """Fill, translucently, between two lines at the pixels x."""
+    part = canvas.clipped(panel)
+    filled = part.copy()
+    there = np.stack([x, low], axis=-1)
+    back = np.stack([x, high], axis=-1)[::-1]
+    filled.polygon(np.concatenate([there, back]), colour)
+    cv2.addWeighted(filled.pixels, _BAND, part.pixels, 1.0 - _BAND, 0.0, dst=part.pixels)
+
+
+def dashed_path(canvas: Canvas, points: FloatArray, colour: Colour, width: float) -> None:
+    """Draw a curve [N, 2] in dashes as long as the gaps between them."""
+    dash = 6 * canvas.unit
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    along = np.concatenate([[0.0], lengths.cumsum()])
+    for start in np.arange(0.0, along[-1], 2 * dash):
+        steps = np.linspace(start, min(start + dash, along[-1]), 7)
+        piece = [np.interp(steps, along, points[:, axis]) for axis in (0, 1)]
+        canvas.line(np.stack(piece, axis=-1), colour, width)

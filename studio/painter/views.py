@@ -1,0 +1,51 @@
+"""Views: maps from metres to pixels."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from studio.arrays import Bounds, FloatArray
+from studio.painter.boxes import Box, Point
+
+
+@dataclass(frozen=True)
+class View:
+    """A map from metres (y up) to pixels (y down), with the same scale in x and y.
+
+    Attributes:
+        box: where on the page the map lies, px.
+        scale: px per m.
+        centre: what lies in the middle of the box (x, y), m.
+    """
+
+    box: Box
+    scale: float
+    centre: Point
+
+    @classmethod
+    def around(cls, bounds: Bounds, box: Box) -> "View":
+        """The largest view in the box that shows all of the bounds (x0, y0, x1, y1 in m)."""
+        x0, y0, x1, y1 = bounds
+        scale = min(box.width / (x1 - x0), box.height / (y1 - y0))
+        return cls(box, scale, ((x0 + x1) / 2, (y0 + y1) / 2))
+
+    @property
+    def bounds(self) -> Bounds:
+        """What the box shows: x0, y0, x1, y1 in m."""
+        half_width, half_height = (
+            self.box.width / self.scale / 2,
+            self.box.height / self.scale / 2,
+        )
+        x, y = self.centre
+        return x - half_width, y - half_height, x + half_width, y + half_height
+
+    def to_pixels(self, points: ArrayLike) -> FloatArray:
+        """Points in metres [..., 2] as pixels [..., 2]."""
+        away = np.asarray(points, dtype=np.float64)[..., :2] - np.array(self.centre)
+        pixels: FloatArray = np.array(self.box.centre) + away * np.array([self.scale, -self.scale])
+        return pixels
+
+    def within(self, box: Box) -> "View":
+        """The same scale and centre in another box."""
+        return replace(self, box=box)
