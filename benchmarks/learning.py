@@ -42,7 +42,7 @@ from learners import (
 )
 from learners.fitting.cpt import PARAMETER_DEVIATION, STARTS
 from learners.fitting.fits import REWARD_DEVIATION
-from learners.studying.study import SIZES
+from learners.studying.plan import SIZES
 from scenes.bank import BankPlan, write_bank
 
 SEEDS = 5

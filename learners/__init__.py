@@ -21,25 +21,21 @@ from learners.studying.curves import (
     paired_differences,
 )
 from learners.studying.evaluation import Calibration, Evaluation, evaluate
+from learners.studying.plan import Study, StudyScene, Task, study_tasks
 from learners.studying.regrets import (
     SceneRegrets,
-    StudyScene,
     family_curves,
     family_table,
     scene_regrets,
-    study_scenes,
     telling_scenes,
 )
 from learners.studying.split import Split, split_scenes
-from learners.studying.study import (
+from learners.studying.study import run_study, study_batches
+from learners.studying.table import (
     PARAMETER_COLUMNS,
     STUDY_SCHEMA,
-    Study,
-    Task,
     missing_tasks,
-    run_study,
-    study_batches,
-    study_tasks,
+    study_scenes,
     whole_table,
 )
 

@@ -4,7 +4,6 @@ The table of a study tells the regret in every scene that was held out, seed by 
 seed other scenes are held out, so a scene has as many regrets as seeds that kept it back.
 """
 
-import json
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -16,33 +15,11 @@ import pyarrow.compute as pc
 from numpy.typing import NDArray
 
 from learners.arrays import FloatArray
-from learners.asking.prospects import Prospects
-from learners.errors import InputError
 from learners.studying.curves import Curve, learning_curves
+from learners.studying.plan import StudyScene
+from learners.studying.table import study_scenes
 
 IntArray = NDArray[np.int64]
-
-METADATA = b"prospect_study"
-"""Key of a study's table's metadata, JSON, that says what was studied."""
-
-
-@dataclass(frozen=True)
-class StudyScene:
-    """A scene of a study, and what it is to the teachers.
-
-    Attributes:
-        scene: its id in the bank.
-        family: the kind of scene.
-        pattern: how people meet in it.
-        best: the action that each teacher would pick, by the teacher's name.
-        random_regret: what an action picked at random would cost each teacher, in units of value.
-    """
-
-    scene: int
-    family: str
-    pattern: str
-    best: dict[str, str]
-    random_regret: dict[str, float]
 
 
 @dataclass(frozen=True)
@@ -66,47 +43,6 @@ class SceneRegrets:
     runs: IntArray
     regret: FloatArray
     picks: tuple[str, ...]
-
-
-def described_scenes(
-    prospects: Prospects, truths: Mapping[str, FloatArray]
-) -> tuple[StudyScene, ...]:
-    """What is known of each scene whoever learns.
-
-    Args:
-        prospects: the scenes.
-        truths: what all prospects are worth to each teacher, [S, A], by the teacher's name.
-    """
-    best = {name: truth.argmax(axis=1) for name, truth in truths.items()}
-    costs = {name: truth.max(axis=1) - truth.mean(axis=1) for name, truth in truths.items()}
-    return tuple(
-        StudyScene(
-            scene=int(prospects.scenes[place]),
-            family=prospects.families[place],
-            pattern=prospects.patterns[place],
-            best={name: prospects.actions[picks[place]] for name, picks in best.items()},
-            random_regret={name: float(cost[place]) for name, cost in costs.items()},
-        )
-        for place in range(len(prospects.scenes))
-    )
-
-
-def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
-    """The scenes of a study, those to learn from too, by their ids in the bank.
-
-    Args:
-        table: rows of a study with its metadata.
-
-    Raises:
-        InputError: if the table does not say what its scenes are.
-    """
-    try:
-        told = json.loads((table.schema.metadata or {})[METADATA])["scenes"]
-        return {scene["scene"]: StudyScene(**scene) for scene in told}
-    except (KeyError, TypeError, ValueError):
-        raise InputError(
-            "table: rows without a description of their scenes are not allowed: rows of a study"
-        ) from None
 
 
 def family_table(table: pa.Table) -> pa.Table:
