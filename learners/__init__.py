@@ -15,6 +15,7 @@ from learners.judging.values import decision_weights, expected_utility, prospect
 from learners.judging.weighting import Weighting, weight
 from learners.studying.curves import (
     Curve,
+    Difference,
     PairedDifference,
     Spread,
     learning_curves,
@@ -53,6 +54,7 @@ __all__ = [
     "CptLike",
     "CptParameters",
     "Curve",
+    "Difference",
     "EuLearner",
     "Evaluation",
     "Fit",

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 Numbers: TypeAlias = "float | NDArray[Any] | Sequence[Numbers]"
 """What callers hand in and NumPy works on."""

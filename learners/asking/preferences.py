@@ -3,15 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.judging.teachers import Teacher
 from learners.seeds import Stream, generator
-
-IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,9 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.errors import InputError
-
-IntArray = NDArray[np.int64]
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
 """Columns of the bank that describe an outcome, in the order of the reward θ."""

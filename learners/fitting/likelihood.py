@@ -13,9 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 
 Model = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """From parameters z [M] to the values [P] of prospects and their slopes [P, M]."""
@@ -35,8 +34,8 @@ class Choices:
         beta: β, the inverse temperature.
     """
 
-    preferred: NDArray[np.int64]
-    other: NDArray[np.int64]
+    preferred: IntArray
+    other: IntArray
     beta: float
 
 

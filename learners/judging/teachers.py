@@ -10,6 +10,7 @@ from learners.errors import InputError
 from learners.judging.parameters import PROFILES, REWARD, CptParameters
 from learners.judging.values import prospect_value
 from learners.judging.weighting import Weighting, curvature
+from learners.names import find
 
 BETA = 20.0
 """Inverse temperature of choices: how decided people are, per unit of value."""
@@ -95,8 +96,4 @@ def find_teachers(names: Iterable[Teacher | str]) -> tuple[Teacher, ...]:
     Raises:
         InputError: if one is unknown.
     """
-    wanted = tuple(names)
-    for name in wanted:
-        if isinstance(name, str) and name not in TEACHERS:
-            raise InputError(f"teacher {name!r} is not allowed: {', '.join(TEACHERS)}")
-    return tuple(TEACHERS[name] if isinstance(name, str) else name for name in wanted)
+    return find("teacher", names, TEACHERS)

@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.asking.preferences import all_pairs, first_probability
 from learners.judging.teachers import BETA
 
@@ -25,7 +24,7 @@ class Calibration:
         preferred: [bins], the mean probability with which the teacher prefers so; likewise.
     """
 
-    count: NDArray[np.int64]
+    count: IntArray
     predicted: FloatArray
     preferred: FloatArray
 
@@ -53,7 +52,7 @@ class Evaluation:
     nll_teacher: float
     calibration: Calibration
     scene_regret: FloatArray
-    scene_picks: NDArray[np.int64]
+    scene_picks: IntArray
 
 
 def evaluate(

@@ -1,7 +1,6 @@
-"""The plan of a study: who teaches, who learns, from how many pairs, and how often."""
+"""The plan of a study: who teaches, who learns, from how many pairs, and how many times."""
 
 import hashlib
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -19,14 +18,15 @@ SIZES = (25, 50, 100, 200, 500, 1000, 2000)
 
 @dataclass(frozen=True)
 class StudyScene:
-    """A scene of a study, and what it is to the teachers.
+    """A scene of a study, and what its actions are worth to the teachers, whoever learns.
 
     Attributes:
         scene: its id in the bank.
         family: the kind of scene.
         pattern: how people meet in it.
         best: the action that each teacher would pick, by the teacher's name.
-        random_regret: what an action picked at random would cost each teacher, in units of value.
+        random_regret: what an action picked at random would cost each teacher, by the teacher's
+            name, in units of value.
     """
 
     scene: int
@@ -37,7 +37,7 @@ class StudyScene:
 
 
 class Task(NamedTuple):
-    """One row to be: who teaches, who learns, from how many pairs, and which repetition."""
+    """One fit of a study, which becomes one row of its table."""
 
     pairs: int
     teacher: str
@@ -51,10 +51,10 @@ class Study:
 
     Attributes:
         prospects: the scenes to learn from and to test on.
-        teachers: who prefers, each name once.
-        learners: who learns, each name once.
-        sizes: numbers of pairs, each once.
-        seeds: how many repetitions, seeds 0 and up.
+        teachers: the teachers to learn from, each name once.
+        learners: the learners to fit, each name once.
+        sizes: numbers of pairs to learn from, each once.
+        seeds: how many repetitions; their seeds count from 0.
         held_out: share of the scenes that is kept back for the test.
 
     Raises:
@@ -89,12 +89,29 @@ class Study:
 
     @cached_property
     def truths(self) -> dict[str, FloatArray]:
-        """What all prospects are worth to each teacher, [S, A]."""
+        """What all prospects are worth to each teacher, [S, A], by the teacher's name."""
         return {teacher.name: teacher.values(self.prospects.features) for teacher in self.teachers}
 
     @cached_property
+    def scenes(self) -> tuple[StudyScene, ...]:
+        """The scenes of the study, in the order of the prospects."""
+        there, truths = self.prospects, self.truths
+        best = {name: truth.argmax(axis=1) for name, truth in truths.items()}
+        costs = {name: truth.max(axis=1) - truth.mean(axis=1) for name, truth in truths.items()}
+        return tuple(
+            StudyScene(
+                scene=int(scene),
+                family=there.families[place],
+                pattern=there.patterns[place],
+                best={name: there.actions[picks[place]] for name, picks in best.items()},
+                random_regret={name: float(cost[place]) for name, cost in costs.items()},
+            )
+            for place, scene in enumerate(there.scenes)
+        )
+
+    @cached_property
     def metadata(self) -> dict[str, Any]:
-        """What rows of this study depend on, apart from their own task."""
+        """All that a row depends on besides its own task, in plain types, for the table to keep."""
         digest = hashlib.sha256(self.prospects.features.tobytes())
         digest.update(repr((self.prospects.families, self.prospects.actions)).encode())
         return {
@@ -102,39 +119,16 @@ class Study:
             "held_out": self.held_out,
             "teachers": {teacher.name: teacher.description() for teacher in self.teachers},
             "learners": {learner.name: learner.description() for learner in self.learners},
-            "scenes": [asdict(scene) for scene in described_scenes(self.prospects, self.truths)],
+            "scenes": [asdict(scene) for scene in self.scenes],
         }
 
 
 def study_tasks(study: Study) -> tuple[Task, ...]:
-    """All tasks of a study in the order of its table: by size, teacher, learner and seed."""
+    """All tasks of a study in the order of its table: by pairs, teacher, learner and seed."""
     return tuple(
         Task(pairs, teacher.name, learner.name, seed)
         for pairs in sorted(study.sizes)
         for teacher in study.teachers
         for learner in study.learners
         for seed in range(study.seeds)
-    )
-
-
-def described_scenes(
-    prospects: Prospects, truths: Mapping[str, FloatArray]
-) -> tuple[StudyScene, ...]:
-    """What is known of each scene whoever learns.
-
-    Args:
-        prospects: the scenes.
-        truths: what all prospects are worth to each teacher, [S, A], by the teacher's name.
-    """
-    best = {name: truth.argmax(axis=1) for name, truth in truths.items()}
-    costs = {name: truth.max(axis=1) - truth.mean(axis=1) for name, truth in truths.items()}
-    return tuple(
-        StudyScene(
-            scene=int(prospects.scenes[place]),
-            family=prospects.families[place],
-            pattern=prospects.patterns[place],
-            best={name: prospects.actions[picks[place]] for name, picks in best.items()},
-            random_regret={name: float(cost[place]) for name, cost in costs.items()},
-        )
-        for place in range(len(prospects.scenes))
     )

@@ -1,7 +1,7 @@
 """Where the regret of a study lies: in which families of scenes, and in which scenes.
 
-The table of a study tells the regret in every scene that was held out, seed by seed. From seed to
-seed other scenes are held out, so a scene has as many regrets as seeds that kept it back.
+Each row of a study tells the regret in every scene that its seed held out. Every seed holds out
+other scenes, so a scene has one regret for each of the seeds that held it out.
 """
 
 from collections import Counter
@@ -12,14 +12,11 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.studying.curves import Curve, learning_curves
 from learners.studying.plan import StudyScene
-from learners.studying.table import study_scenes
-
-IntArray = NDArray[np.int64]
+from learners.studying.table import SCENE_COLUMNS, TASK_COLUMNS, study_scenes
 
 
 @dataclass(frozen=True)
@@ -27,9 +24,7 @@ class SceneRegrets:
     """What one learner's picks cost one teacher in every scene that was held out at least once.
 
     Attributes:
-        teacher: who was learned from.
-        learner: who learned.
-        pairs: from how many pairs.
+        pairs: the number of pairs that was learned from.
         scenes: [S], ids, ascending.
         runs: [S], how many seeds held the scene out.
         regret: [S], mean over these seeds, in units of value.
@@ -52,10 +47,10 @@ def family_table(table: pa.Table) -> pa.Table:
         table: rows of a study with its metadata.
 
     Returns:
-        One row a fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes` (how
-        many of the family were held out), `regret` (mean over these, in units of value) and
-        `regret_percent` (the same in % of what an action picked at random would cost in these
-        scenes; 0 where no action can be better than another).
+        One row for every fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes`
+        (how many scenes of the family were held out), `regret` (mean over these scenes, in units
+        of value) and `regret_percent` (the same in % of what an action picked at random would cost
+        in these scenes; 0 where no action can be better than another).
 
     Raises:
         InputError: if the table does not say what its scenes are.
@@ -65,7 +60,7 @@ def family_table(table: pa.Table) -> pa.Table:
 
 
 def family_curves(table: pa.Table, column: str = "regret_percent") -> dict[str, list[Curve]]:
-    """Learning curves of each family, see `learning_curves`; families by name.
+    """Learning curves of each family of scenes, see `learning_curves`, by the family's name.
 
     Args:
         table: rows of a study with its metadata.
@@ -87,37 +82,36 @@ def scene_regrets(table: pa.Table) -> list[SceneRegrets]:
     found: dict[tuple[str, str, int], dict[int, list[tuple[float, str]]]] = {}
     for row in _rows(table):
         by_scene = found.setdefault((row["teacher"], row["learner"], row["pairs"]), {})
-        for scene, *outcome in zip(
-            row["held_out_scenes"], row["scene_regret"], row["scene_picks"], strict=True
-        ):
-            by_scene.setdefault(scene, []).append(tuple(outcome))
-    return [
-        SceneRegrets(
-            *task,
-            scenes=np.array(sorted(by_scene), dtype=np.int64),
-            runs=np.array([len(by_scene[scene]) for scene in sorted(by_scene)]),
-            regret=np.array(
-                [np.mean([regret for regret, _ in by_scene[scene]]) for scene in sorted(by_scene)]
-            ),
-            picks=tuple(
-                Counter(pick for _, pick in by_scene[scene]).most_common(1)[0][0]
-                for scene in sorted(by_scene)
-            ),
+        for scene, regret, pick in zip(*(row[name] for name in SCENE_COLUMNS), strict=True):
+            by_scene.setdefault(scene, []).append((regret, pick))
+    regrets = []
+    for task, by_scene in found.items():
+        scenes = sorted(by_scene)
+        runs = [by_scene[scene] for scene in scenes]
+        regrets.append(
+            SceneRegrets(
+                *task,
+                scenes=np.array(scenes, dtype=np.int64),
+                runs=np.array([len(seeds) for seeds in runs]),
+                regret=np.array([np.mean([regret for regret, _ in seeds]) for seeds in runs]),
+                picks=tuple(
+                    Counter(pick for _, pick in seeds).most_common(1)[0][0] for seeds in runs
+                ),
+            )
         )
-        for task, by_scene in found.items()
-    ]
+    return regrets
 
 
 def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
     """The scenes that tell most about the learners of each teacher, the most telling first.
 
-    These are the scenes in which the learners' regrets differ most at the largest number of pairs
-    and, where they do not differ, in which the regret is largest. Scenes without regret are left
-    out.
+    These are the scenes in which the learners' regrets after the largest number of pairs differ
+    most; of scenes in which they differ alike, the one with the larger regret comes first. Scenes
+    without regret are left out.
 
     Args:
         table: rows of a study.
-        count: how many scenes a teacher, at most.
+        count: how many scenes to name for each teacher, at most.
 
     Returns:
         Ids of scenes by the teacher's name.
@@ -137,9 +131,7 @@ def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
 
 
 def _rows(table: pa.Table) -> list[dict[str, Any]]:
-    names = ("teacher", "learner", "pairs", "seed")
-    lists = ("held_out_scenes", "scene_regret", "scene_picks")
-    rows: list[dict[str, Any]] = table.select([*names, *lists]).to_pylist()
+    rows: list[dict[str, Any]] = table.select([*TASK_COLUMNS, *SCENE_COLUMNS]).to_pylist()
     return sorted(rows, key=lambda row: int(row["seed"]))
 
 
@@ -153,7 +145,7 @@ def _by_family(row: dict[str, Any], scenes: Mapping[int, StudyScene]) -> Iterato
         ours = families == family
         cost = random_regret[ours].mean()
         yield {
-            **{name: row[name] for name in ("teacher", "learner", "pairs", "seed")},
+            **{name: row[name] for name in TASK_COLUMNS},
             "family": family,
             "scenes": int(ours.sum()),
             "regret": regret[ours].mean(),

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import IntArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.seeds import Stream, generator
@@ -22,8 +22,8 @@ class Split:
         held_out: places of the scenes kept back, ascending.
     """
 
-    training: NDArray[np.int64]
-    held_out: NDArray[np.int64]
+    training: IntArray
+    held_out: IntArray
 
 
 def split_scenes(prospects: Prospects, seed: int, held_out: float = HELD_OUT) -> Split:

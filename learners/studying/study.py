@@ -1,9 +1,9 @@
-"""The study: teachers × learners × numbers of pairs × seeds, fitted and put to the test.
+"""Running a study: every learner is fitted to every teacher's answers and put to the test.
 
-Seed s decides the split of the scenes, the pairs and what is random in the answers; every teacher
-is asked the same questions, and a longer series begins with the shorter one. A row depends on its
-own task only, neither on what else is studied nor on when, so that a study that was interrupted
-continues where it stopped.
+The seed of a task decides the split of the scenes, the pairs and what is random in the answers.
+Every teacher is asked the same questions, and a longer series of them begins with the shorter one.
+A row depends on its own task only, not on what else is studied or when, so a study that was
+interrupted continues where it stopped.
 """
 
 import os
@@ -27,7 +27,7 @@ from learners.studying.split import HELD_OUT, split_scenes
 from learners.studying.table import PARAMETER_COLUMNS, missing_tasks, study_schema, whole_table
 
 Progress = Callable[[int, int], None]
-"""Is told how many of how many fits are done."""
+"""A function that is told after every fit how many are done, and how many there are in all."""
 
 
 def study_batches(
@@ -36,15 +36,13 @@ def study_batches(
     workers: int | None = None,
     progress: Progress | None = None,
 ) -> Iterator[pa.Table]:
-    """Do what is missing and hand over the rows, one batch for each number of pairs.
-
-    To continue an interrupted study, hand in the rows of the batches that were finished.
+    """Do the fits that are missing and hand over their rows, a batch for each number of pairs.
 
     Args:
         study: what to study.
-        table: rows that are there already.
-        workers: how many fits at a time; one per processor if left out.
-        progress: told after every fit how many of how many are done.
+        table: the rows that an interrupted study has already.
+        workers: how many fits to do at a time; one per processor if left out.
+        progress: told how many of the fits are done.
 
     Raises:
         InputError: if the table is not of this study.
@@ -81,26 +79,20 @@ def run_study(
 
     Args:
         prospects: the scenes to learn from and to test on.
-        teachers: who prefers; teachers, or names of `TEACHERS`.
-        learners: who learns; learners, or names of `LEARNERS`.
-        sizes: numbers of pairs.
+        teachers: the teachers to learn from, or their names in `TEACHERS`.
+        learners: the learners to fit, or their names in `LEARNERS`.
+        sizes: numbers of pairs to learn from.
         seeds: how many repetitions.
         held_out: share of the scenes that is kept back for the test.
-        table: rows that are there already.
-        workers: how many fits at a time; one per processor if left out.
-        progress: told after every fit how many of how many are done.
+        table: the rows that an interrupted study has already.
+        workers: how many fits to do at a time; one per processor if left out.
+        progress: told how many of the fits are done.
 
     Raises:
         InputError: if something cannot be studied, or the table is of another study.
     """
-    study = Study(
-        prospects,
-        find_teachers(teachers),
-        find_learners(learners),
-        tuple(sizes),
-        seeds,
-        held_out,
-    )
+    who, fitted = find_teachers(teachers), find_learners(learners)
+    study = Study(prospects, who, fitted, tuple(sizes), seeds, held_out)
     batches = list(study_batches(study, table, workers, progress))
     return whole_table(study, batches if table is None else [table, *batches])
 

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from typing import Any
 
 import pyarrow as pa
 
@@ -9,62 +10,65 @@ from learners.errors import InputError
 from learners.studying.plan import Study, StudyScene, Task, study_tasks
 
 METADATA = b"prospect_study"
-"""Key of a study's table's metadata, JSON, that says what was studied."""
+"""Key under which a table keeps, as JSON, what was studied: `Study.metadata`."""
 
+TASK_COLUMNS = ("teacher", "learner", "pairs", "seed")
+"""Columns that say which fit a row is: the fields of `Task`."""
+
+PARAMETER_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
+"""Columns of the parameters of prospect theory, in the order of `CptParameters.SYMBOLS`."""
+
+SCENE_COLUMNS = ("held_out_scenes", "scene_regret", "scene_picks")
+"""Columns of lists with one entry for each scene that was held out."""
 
 # lists as Parquet files give them back
 _NUMBERS = pa.list_(pa.field("element", pa.float64()))
 _COUNTS = pa.list_(pa.field("element", pa.int64()))
 _NAMES = pa.list_(pa.field("element", pa.string()))
 
-PARAMETER_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
-"""Columns of the parameters of prospect theory, in the order of `CptParameters.SYMBOLS`."""
+
+def _filled(kind: pa.DataType, *names: str) -> list[pa.Field]:
+    """Columns that have a value in every row."""
+    return [pa.field(name, kind, nullable=False) for name in names]
+
 
 STUDY_SCHEMA = pa.schema(
     [
-        pa.field("teacher", pa.string(), nullable=False),
-        pa.field("learner", pa.string(), nullable=False),
-        pa.field("pairs", pa.int64(), nullable=False),
-        pa.field("seed", pa.int64(), nullable=False),
-        pa.field("regret", pa.float64(), nullable=False),
-        pa.field("regret_percent", pa.float64(), nullable=False),
-        pa.field("nll", pa.float64(), nullable=False),
-        pa.field("certainty", pa.float64(), nullable=False),
-        pa.field("theta", _NUMBERS, nullable=False),
-        pa.field("alpha", pa.float64()),
-        pa.field("eta", pa.float64()),
-        pa.field("lambda", pa.float64()),
-        pa.field("gamma", pa.float64()),
-        pa.field("delta", pa.float64()),
-        pa.field("reference", pa.float64(), nullable=False),
-        pa.field("theta_unit", _NUMBERS, nullable=False),
-        pa.field("theta_cosine", pa.float64(), nullable=False),
-        pa.field("agreement", pa.float64(), nullable=False),
-        pa.field("nll_teacher", pa.float64(), nullable=False),
-        pa.field("nll_training", pa.float64(), nullable=False),
-        pa.field("repeated", pa.int64(), nullable=False),
-        pa.field("converged", pa.bool_(), nullable=False),
-        pa.field("steps", pa.int64(), nullable=False),
-        pa.field("expected_decrease", pa.float64(), nullable=False),
-        pa.field("calibration_count", _COUNTS, nullable=False),
-        pa.field("calibration_predicted", _NUMBERS, nullable=False),
-        pa.field("calibration_preferred", _NUMBERS, nullable=False),
-        pa.field("held_out_scenes", _COUNTS, nullable=False),
-        pa.field("scene_regret", _NUMBERS, nullable=False),
-        pa.field("scene_picks", _NAMES, nullable=False),
+        *_filled(pa.string(), "teacher", "learner"),
+        *_filled(pa.int64(), "pairs", "seed"),
+        *_filled(pa.float64(), "regret", "regret_percent", "nll", "certainty"),
+        *_filled(_NUMBERS, "theta"),
+        *(pa.field(name, pa.float64()) for name in PARAMETER_COLUMNS),
+        *_filled(pa.float64(), "reference"),
+        *_filled(_NUMBERS, "theta_unit"),
+        *_filled(pa.float64(), "theta_cosine", "agreement", "nll_teacher", "nll_training"),
+        *_filled(pa.int64(), "repeated"),
+        *_filled(pa.bool_(), "converged"),
+        *_filled(pa.int64(), "steps"),
+        *_filled(pa.float64(), "expected_decrease"),
+        *_filled(_COUNTS, "calibration_count"),
+        *_filled(_NUMBERS, "calibration_predicted", "calibration_preferred"),
+        *_filled(_COUNTS, "held_out_scenes"),
+        *_filled(_NUMBERS, "scene_regret"),
+        *_filled(_NAMES, "scene_picks"),
     ]
 )
 """Columns of the table, one row a fit.
 
 `regret`, `regret_percent`, `agreement`, `nll`, `nll_teacher` and the `calibration_` lists are those
-of `Evaluation`, on held-out scenes; `nll_training` is that of the fit. `certainty` is that of the
-answers learned from, `repeated` how many of their questions had been asked before. `theta_unit` is
-θ/‖θ‖ and `theta_cosine` the cosine between θ and the teacher's. `alpha` to `delta` are empty for
-learners of expected utility, calibration empty (null) in bins without predictions.
+of `Evaluation`, on held-out scenes; `nll_training` is the `nll` of the `Fit`. `certainty` and
+`repeated` are those of the `Preferences` that were learned from. `theta_unit` is θ/‖θ‖, and
+`theta_cosine` the cosine between θ and the teacher's. The `PARAMETER_COLUMNS` are empty (null) for
+learners of expected utility, the calibration is empty in bins without predictions.
 `held_out_scenes` are the ids of the scenes that were kept back, ascending; `scene_regret` is the
-regret in each of them, in units of value, and `scene_picks` the action picked there. What these
-scenes are stands in the metadata, see `study_scenes`.
+regret in each of them, in units of value, and `scene_picks` the action that the learner picks
+there. The scenes themselves are described in the metadata, see `study_scenes`.
 """
+
+
+def study_schema(study: Study) -> pa.Schema:
+    """The columns of a study's table, with what is studied as their metadata."""
+    return STUDY_SCHEMA.with_metadata({METADATA: json.dumps(study.metadata, sort_keys=True)})
 
 
 def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
@@ -77,8 +81,7 @@ def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
         InputError: if the table does not say what its scenes are.
     """
     try:
-        told = json.loads((table.schema.metadata or {})[METADATA])["scenes"]
-        return {scene["scene"]: StudyScene(**scene) for scene in told}
+        return {scene["scene"]: StudyScene(**scene) for scene in _studied(table)["scenes"]}
     except (KeyError, TypeError, ValueError):
         raise InputError(
             "table: rows without a description of their scenes are not allowed: rows of a study"
@@ -117,9 +120,9 @@ def whole_table(study: Study, parts: Sequence[pa.Table]) -> pa.Table:
     return rows.take(pa.array(wanted, pa.int64()))
 
 
-def study_schema(study: Study) -> pa.Schema:
-    """The columns of a study's table, with what is studied as their metadata."""
-    return STUDY_SCHEMA.with_metadata({METADATA: json.dumps(study.metadata, sort_keys=True)})
+def _studied(table: pa.Table) -> Any:
+    """What the metadata of a table say; `KeyError` or `ValueError` if they are not of a study."""
+    return json.loads((table.schema.metadata or {})[METADATA])
 
 
 def _tasks_of(table: pa.Table) -> list[Task]:
@@ -130,7 +133,7 @@ def _tasks_of(table: pa.Table) -> list[Task]:
 
 def _check_same_study(study: Study, table: pa.Table) -> None:
     try:
-        theirs = json.loads((table.schema.metadata or {})[METADATA])
+        theirs = _studied(table)
     except (KeyError, ValueError):
         raise InputError("table: rows without a study are not allowed: rows of a study") from None
     for name in STUDY_SCHEMA.names:
