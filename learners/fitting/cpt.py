@@ -10,13 +10,7 @@ from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import ENOUGH, Optimum, minimise
 from learners.fitting.eu import fit_mean_utility
-from learners.fitting.fits import (
-    LONGEST_REWARD_STEP,
-    REWARD_DEVIATION,
-    Fit,
-    asked_prospects,
-    fit_of,
-)
+from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
 from learners.fitting.likelihood import Prior
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.parameters import CptParameters
@@ -58,7 +52,7 @@ TIED = np.array([[1, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 1]], dtype=np.fl
 
 def tied_means(ties: FloatArray, numbers: Sequence[float] | FloatArray) -> FloatArray:
     """Five numbers, one for each of α, η, λ, γ, δ, averaged over those that are tied."""
-    return ties / ties.sum(axis=1, keepdims=True) @ numbers
+    return np.asarray(ties / ties.sum(axis=1, keepdims=True) @ numbers, dtype=np.float64)
 
 
 def prior_deviation(linear: int, ties: FloatArray, reward_deviation: float) -> FloatArray:
@@ -133,4 +127,4 @@ class CptLearner:
         found = search(min(heads, key=lambda head: head.objective).z, ENOUGH)
         theta, reference, parameters = person(found.z)
         steps = found.steps + sum(head.steps for head in heads)
-        return fit_of(self, choices, replace(found, steps=steps), theta, parameters, reference)
+        return Fit.of(self, choices, replace(found, steps=steps), theta, parameters, reference)

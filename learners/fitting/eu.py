@@ -8,13 +8,7 @@ from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import Optimum, minimise
-from learners.fitting.fits import (
-    LONGEST_REWARD_STEP,
-    REWARD_DEVIATION,
-    Fit,
-    asked_prospects,
-    fit_of,
-)
+from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
 from learners.fitting.likelihood import Choices, Prior
 from learners.judging.teachers import BETA
 
@@ -46,7 +40,7 @@ class EuLearner:
         """
         features, choices = asked_prospects(prospects, preferences, beta)
         found = fit_mean_utility(features.mean(axis=1), choices, self.reward_deviation)
-        return fit_of(self, choices, found, theta=found.z)
+        return Fit.of(self, choices, found, theta=found.z)
 
 
 def fit_mean_utility(means: FloatArray, choices: Choices, deviation: float) -> Optimum:

@@ -63,6 +63,31 @@ class Fit:
     steps: int
     expected_decrease: float
 
+    @classmethod
+    def of(
+        cls,
+        learner: "Learner",
+        choices: Choices,
+        found: Optimum,
+        theta: FloatArray,
+        parameters: CptParameters | None = None,
+        reference: float = 0.0,
+    ) -> "Fit":
+        """The fit of a learner whose search found an optimum, and what that optimum means."""
+        pairs = len(choices.preferred)
+        return cls(
+            learner=learner.name,
+            theta=theta,
+            parameters=parameters,
+            reference=reference,
+            beta=choices.beta,
+            pairs=pairs,
+            nll=found.nll / pairs,
+            converged=found.converged,
+            steps=found.steps,
+            expected_decrease=found.expected_decrease,
+        )
+
     @property
     def unit_theta(self) -> FloatArray:
         """θ/‖θ‖, [D]: its direction, in which different learners can be compared."""
@@ -149,27 +174,3 @@ def asked_prospects(
     asked, places = np.unique(np.concatenate([preferred, other]), return_inverse=True)
     features = prospects.features.reshape(scenes * actions, outcomes, count)[asked]
     return features, Choices(places[: len(preferred)], places[len(preferred) :], beta)
-
-
-def fit_of(
-    learner: Learner,
-    choices: Choices,
-    found: Optimum,
-    theta: FloatArray,
-    parameters: CptParameters | None = None,
-    reference: float = 0.0,
-) -> Fit:
-    """The fit of a learner whose search ended at an optimum, which means this person."""
-    pairs = len(choices.preferred)
-    return Fit(
-        learner=learner.name,
-        theta=theta,
-        parameters=parameters,
-        reference=reference,
-        beta=choices.beta,
-        pairs=pairs,
-        nll=found.nll / pairs,
-        converged=found.converged,
-        steps=found.steps,
-        expected_decrease=found.expected_decrease,
-    )

@@ -25,17 +25,11 @@ LEAST_CURVATURE = 1e-12
 
 @dataclass(frozen=True)
 class Choices:
-    """N choices between prospects, and how decided they are.
+    """N choices between prospects, and how decided they are."""
 
-    Attributes:
-        preferred: [N], place of the preferred prospect among the P of the model.
-        other: [N], place of the other one.
-        beta: β, the inverse temperature.
-    """
-
-    preferred: IntArray
-    other: IntArray
-    beta: float
+    preferred: IntArray  # [N], places of the preferred prospects among the P of the model
+    other: IntArray  # [N], places of the others
+    beta: float  # β, the inverse temperature
 
 
 @dataclass(frozen=True)
