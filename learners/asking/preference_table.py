@@ -21,7 +21,8 @@ def read_preferences(path: Path | str, prospects: Prospects) -> Preferences:
     Args:
         path: a file with the columns `scene` (id in the bank), `action_a`, `action_b` (names of
             two different actions) and `preferred` (the name of one of the two, or `a` or `b`);
-            other columns are ignored. It is read as Parquet if it is called so, otherwise as CSV.
+            other columns are ignored. A file whose name ends in .parquet or .pq is read as
+            Parquet, any other as CSV.
         prospects: the bank that the preferences are about.
 
     Raises:

@@ -17,17 +17,11 @@ from learners.judging.teachers import Teacher
 
 @dataclass(frozen=True)
 class Precision:
-    """Standard deviations that no learner can expect to stay below.
+    """Standard deviations that no learner can expect to stay below."""
 
-    Attributes:
-        theta: [D], of θ.
-        log_parameters: [5], of ln α, ln η, ln λ, ln γ, ln δ; small ones are relative errors.
-        theta_cosine: the cosine between θ and the truth that is to be expected.
-    """
-
-    theta: FloatArray
-    log_parameters: FloatArray
-    theta_cosine: float
+    theta: FloatArray  # [D], of θ
+    log_parameters: FloatArray  # [5], of ln α, ln η, ln λ, ln γ, ln δ; about relative errors
+    theta_cosine: float  # the cosine between θ and the truth that is to be expected
 
 
 def attainable_precision(

@@ -1,4 +1,4 @@
-"""Who prefers: people of known taste, to learn from and to be measured against."""
+"""Teachers: people of known taste, whom learners learn from and are measured against."""
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
@@ -31,7 +31,6 @@ class Teacher:
     """Someone who judges prospects by cumulative prospect theory.
 
     Attributes:
-        name: what to call them.
         parameters: α, η, λ, γ, δ; all ones is expected utility.
         reward: θ, what one unit of each feature is worth.
         beta: β, how decided the choices are, per unit of value.
@@ -73,13 +72,10 @@ class Teacher:
                 f"reward of {len(self.reward)} numbers is not allowed: "
                 f"{features.shape[-1]}, one for each feature"
             )
-        worth: FloatArray = prospect_value(
-            features @ np.array(self.reward),
-            self.parameters,
-            weighting=self.weighting,
-            reference=self.reference,
+        utilities: FloatArray = features @ np.array(self.reward)
+        return prospect_value(
+            utilities, self.parameters, weighting=self.weighting, reference=self.reference
         )
-        return worth
 
     def description(self) -> dict[str, object]:
         """All that makes the teacher, in plain types."""

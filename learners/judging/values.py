@@ -193,12 +193,7 @@ def decision_weights(
     outcomes that tie, the earlier counts as the worse, which does not change their sum. The
     weights of a prospect that has gains and losses need not sum to 1.
 
-    Args:
-        utilities: as for `prospect_value`, as are all arguments.
-        parameters: γ and δ are used.
-        probabilities: of the outcomes.
-        weighting: of the probabilities.
-        reference: r.
+    The arguments are those of `prospect_value`; of the parameters γ and δ are used.
 
     Returns:
         [..., K], float64, in the order of the utilities.

@@ -29,60 +29,36 @@ Entry: TypeAlias = Any
 
 @dataclass(frozen=True)
 class Spread:
-    """What the seeds say of one column after one number of pairs.
+    """What the seeds say of one column after one number of pairs."""
 
-    Attributes:
-        runs: how many seeds there are.
-        mean: mean over seeds; like the three below, a number or [D].
-        std: standard deviation over seeds; 0 for a single seed.
-        low: lower end of the 95 % interval of the mean.
-        high: upper end of that interval.
-    """
-
-    runs: int
-    mean: Entry
-    std: Entry
-    low: Entry
-    high: Entry
+    runs: int  # how many seeds there are
+    mean: Entry  # over seeds
+    std: Entry  # standard deviation over seeds; 0 for a single seed
+    low: Entry  # lower end of the 95 % interval of the mean
+    high: Entry  # upper end of that interval
 
 
 @dataclass(frozen=True)
 class Difference:
-    """How much lower or higher one learner's column is than another's after one number of pairs.
+    """How much lower or higher one learner's column is than another's after one number of pairs."""
 
-    Attributes:
-        runs: how many seeds both learners have.
-        difference: mean over seeds of learner − baseline.
-        low: lower end of the 95 % interval of that mean.
-        high: upper end of that interval.
-        ratio: mean of the learner over mean of the baseline; not a number over 0.
-    """
-
-    runs: int
-    difference: float
-    low: float
-    high: float
-    ratio: float
+    runs: int  # how many seeds both learners have
+    difference: float  # mean over seeds of learner − baseline
+    low: float  # lower end of the 95 % interval of that mean
+    high: float  # upper end of that interval
+    ratio: float  # mean of the learner over mean of the baseline; not a number over 0
 
 
 @dataclass(frozen=True)
 class Curve:
-    """How one column of the table changes with the number of pairs: n `Spread`s side by side.
-
-    Attributes:
-        teacher: who was learned from.
-        learner: who learned.
-        column: name of the column.
-        pairs: [n], ascending; `runs` is [n] too.
-        mean: [n], or [n, D] for a column of lists, like `std`, `low` and `high`.
-    """
+    """How one column of the table changes with the number of pairs: n `Spread`s side by side."""
 
     teacher: str
     learner: str
     column: str
-    pairs: IntArray
-    runs: IntArray
-    mean: FloatArray
+    pairs: IntArray  # [n], ascending
+    runs: IntArray  # [n]
+    mean: FloatArray  # [n], or [n, D] for a column of lists; the shape of the three below too
     std: FloatArray
     low: FloatArray
     high: FloatArray
@@ -98,21 +74,13 @@ class Curve:
 
 @dataclass(frozen=True)
 class PairedDifference:
-    """How two learners' columns differ, with the number of pairs: n `Difference`s side by side.
-
-    Attributes:
-        teacher: who was learned from.
-        learner: who is compared.
-        baseline: with whom.
-        column: name of the column.
-        pairs: [n], ascending; `runs`, `difference`, `low`, `high` and `ratio` are [n] too.
-    """
+    """How two learners' columns differ, with the number of pairs: n `Difference`s side by side."""
 
     teacher: str
     learner: str
-    baseline: str
+    baseline: str  # the learner that the first one is compared with
     column: str
-    pairs: IntArray
+    pairs: IntArray  # [n], ascending; all below are [n] too
     runs: IntArray
     difference: FloatArray
     low: FloatArray

@@ -17,17 +17,12 @@ class Calibration:
     """Whether people prefer as often as predicted, in bins of predicted probability.
 
     Every pair is counted from both sides, so the lower half mirrors the upper one.
-
-    Attributes:
-        count: [bins], how many predictions fall into the bin.
-        predicted: [bins], the mean of these predictions; not a number in an empty bin.
-        preferred: [bins], the mean probability with which the teacher does as predicted; not a
-            number in an empty bin.
+    The means are not a number in bins without predictions.
     """
 
-    count: IntArray
-    predicted: FloatArray
-    preferred: FloatArray
+    count: IntArray  # [bins], how many predictions fall into the bin
+    predicted: FloatArray  # [bins], the mean of these predictions
+    preferred: FloatArray  # [bins], the mean probability with which the teacher does as predicted
 
 
 @dataclass(frozen=True)

@@ -21,23 +21,15 @@ from learners.studying.table import SCENE_COLUMNS, TASK_COLUMNS, study_scenes
 
 @dataclass(frozen=True)
 class SceneRegrets:
-    """What one learner's picks cost one teacher in every scene that was held out at least once.
-
-    Attributes:
-        pairs: the number of pairs that was learned from.
-        scenes: [S], ids, ascending.
-        runs: [S], how many seeds held the scene out.
-        regret: [S], mean over these seeds, in units of value.
-        picks: S names of actions: what was picked in most of these seeds.
-    """
+    """What one learner's picks cost one teacher in every scene that was held out at least once."""
 
     teacher: str
     learner: str
-    pairs: int
-    scenes: IntArray
-    runs: IntArray
-    regret: FloatArray
-    picks: tuple[str, ...]
+    pairs: int  # how many pairs were learned from
+    scenes: IntArray  # [S], ids, ascending
+    runs: IntArray  # [S], how many seeds held the scene out
+    regret: FloatArray  # [S], mean over these seeds, in units of value
+    picks: tuple[str, ...]  # S names of actions, each the pick of most of these seeds
 
 
 def family_table(table: pa.Table) -> pa.Table:
