@@ -190,7 +190,7 @@ def decision_weights(
 
     A loss counts w⁻(P of it or worse) − w⁻(P of worse), a gain w⁺(P of it or better) −
     w⁺(P of better). An outcome at the reference counts as a gain, which changes no value. Of
-    outcomes that tie, the earlier counts as the worse, which does not change their sum. The
+    outcomes that tie, the earlier counts as the worse, which does not change their total. The
     weights of a prospect that has gains and losses need not sum to 1.
 
     The arguments are those of `prospect_value`; of the parameters γ and δ are used.

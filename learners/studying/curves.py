@@ -51,7 +51,7 @@ class Difference:
 
 @dataclass(frozen=True)
 class Curve:
-    """How one column of the table changes with the number of pairs: n `Spread`s side by side."""
+    """How one column of the table changes with the number of pairs: n `Spread`s in a row."""
 
     teacher: str
     learner: str
@@ -74,7 +74,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class PairedDifference:
-    """How two learners' columns differ, with the number of pairs: n `Difference`s side by side."""
+    """How two learners differ in one column, by the number of pairs: n `Difference`s in a row."""
 
     teacher: str
     learner: str

@@ -35,7 +35,7 @@ class Evaluation:
         agreement: share of scenes in which the teacher's best action is picked, 0 to 1.
         nll: expected negative log-likelihood of the teacher's answers to all pairs of the scenes,
             nats a pair.
-        nll_teacher: the same for a teacher who predicts the own answers: the least possible.
+        nll_teacher: the same if the teacher's own values predicted them: the least possible.
         calibration: of the predicted answers to all pairs of the scenes.
         scene_regret: [S], V_teacher(best action) − V_teacher(picked action) in each scene.
         scene_picks: [S], place of the action that the learner picks there.
