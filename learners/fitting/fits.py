@@ -73,7 +73,7 @@ class Fit:
         parameters: CptParameters | None = None,
         reference: float = 0.0,
     ) -> "Fit":
-        """The fit that the optimum of a learner's search means: θ, the parameters and r found there."""
+        """The fit that the optimum of a search means: θ, the parameters and r found there."""
         pairs = len(choices.preferred)
         return cls(
             learner=learner.name,
