@@ -16,7 +16,7 @@ import resource
 import sys
 import tempfile
 import time
-from dataclasses import astuple
+from dataclasses import fields
 from pathlib import Path
 from statistics import median
 from types import SimpleNamespace
@@ -28,6 +28,7 @@ from learners import (
     BETA,
     LEARNERS,
     TEACHERS,
+    CptParameters,
     Preferences,
     Problem,
     Prospects,
@@ -42,12 +43,12 @@ from learners import (
 )
 from learners.fitting.cpt import PARAMETER_DEVIATION, STARTS
 from learners.fitting.fits import REWARD_DEVIATION
-from learners.studying.study import SIZES
+from learners.studying.plan import SIZES
 from scenes.bank import BankPlan, write_bank
 
 SEEDS = 5
 PEER_SEEDS = 1
-PARAMETERS = ("alpha", "eta", "loss_aversion", "gamma", "delta")
+PARAMETERS = [field.name for field in fields(CptParameters)]
 
 
 def peer_fit(prospects: Prospects, told: Preferences, learner: str) -> float:
@@ -60,7 +61,7 @@ def peer_fit(prospects: Prospects, told: Preferences, learner: str) -> float:
         [*[REWARD_DEVIATION] * features.shape[-1], *PARAMETER_DEVIATION[:count]],
         dtype=torch.float64,
     )
-    start = np.concatenate([np.zeros(features.shape[-1]), np.log(astuple(STARTS[0]))[:count]])
+    start = np.concatenate([np.zeros(features.shape[-1]), np.log(STARTS[0].numbers)[:count]])
     z = torch.tensor(start, requires_grad=True)
 
     def worth(features: torch.Tensor) -> torch.Tensor:
@@ -90,7 +91,7 @@ def peer_fit(prospects: Prospects, told: Preferences, learner: str) -> float:
 def our_objective(prospects: Prospects, told: Preferences, learner: str) -> float:
     """The objective that the learner of the studio reaches, nats."""
     fit = LEARNERS[learner].fit(prospects, told)
-    logs = np.log(astuple(fit.parameters)) if fit.parameters else np.zeros(5)
+    logs = np.log(fit.parameters.numbers) if fit.parameters else np.zeros(5)
     prior = ((fit.theta / REWARD_DEVIATION) ** 2).sum() + ((logs / PARAMETER_DEVIATION) ** 2).sum()
     return fit.nll * len(told) + 0.5 * float(prior)
 

@@ -15,31 +15,28 @@ from learners.judging.values import decision_weights, expected_utility, prospect
 from learners.judging.weighting import Weighting, weight
 from learners.studying.curves import (
     Curve,
+    Difference,
     PairedDifference,
     Spread,
     learning_curves,
     paired_differences,
 )
 from learners.studying.evaluation import Calibration, Evaluation, evaluate
+from learners.studying.plan import Study, StudyScene, Task, study_tasks
 from learners.studying.regrets import (
     SceneRegrets,
-    StudyScene,
     family_curves,
     family_table,
     scene_regrets,
-    study_scenes,
     telling_scenes,
 )
 from learners.studying.split import Split, split_scenes
-from learners.studying.study import (
+from learners.studying.study import run_study, study_batches
+from learners.studying.table import (
     PARAMETER_COLUMNS,
     STUDY_SCHEMA,
-    Study,
-    Task,
     missing_tasks,
-    run_study,
-    study_batches,
-    study_tasks,
+    study_scenes,
     whole_table,
 )
 
@@ -57,6 +54,7 @@ __all__ = [
     "CptLike",
     "CptParameters",
     "Curve",
+    "Difference",
     "EuLearner",
     "Evaluation",
     "Fit",

@@ -1,8 +1,8 @@
 """From what callers hand in to checked float64 arrays: NumPy's, or tensors where tensors come in.
 
-torch takes long to load, and who has no tensor needs none. So the formulas are written once, in the
-words that NumPy and torch share, and say them through the `namespace` of what they are given. The
-few words that differ are here.
+torch takes long to load, and callers without tensors do not need it. So every formula is written
+once, with the functions that NumPy and torch both have, and finds them in the `namespace` of its
+arguments. The few functions that differ between the two are here.
 """
 
 from __future__ import annotations
@@ -21,22 +21,23 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 Numbers: TypeAlias = "float | NDArray[Any] | Sequence[Numbers]"
-"""What callers hand in and NumPy works on."""
+"""What callers may hand in where NumPy does the work."""
 
 NumbersOrTensor: TypeAlias = "Numbers | Tensor"
-"""What callers hand in where one tensor is enough for torch to work on all of it.
+"""What callers may hand in where torch does the work as soon as one argument is a tensor.
 
-Numbers are both this and `Numbers`, so overloads for one and for the other overlap, which type
-checkers are told to allow: the first that fits, that of `Numbers`, is what holds.
+Numbers are both this and `Numbers`, so the overloads of a function for the one and for the other
+overlap. Type checkers are told to allow it: the first overload that fits is that of `Numbers`.
 """
 
 Array: TypeAlias = Any
-"""What formulas work on: a `FloatArray` or a `Tensor` of float64, which is known when they run."""
+"""What formulas work on: a `FloatArray` or a float64 `Tensor`; which, is known when they run."""
 
 SUM_TOLERANCE = 1e-6
-"""How far from 1 probabilities may sum: the rounding of float32, which is then normalised away."""
+"""How far from 1 the sum of probabilities may be: float32 rounds, and they are normalised after."""
 
 
 def is_tensor(given: object) -> TypeGuard[Tensor]:
@@ -50,7 +51,7 @@ def namespace(*given: object) -> ModuleType:
 
 
 def take_along(array: Array, places: Array) -> Array:
-    """The numbers at these places of the last axis, in the shape that both broadcast to."""
+    """The entries at these places of the last axis; the array and the places may broadcast."""
     xp = namespace(array)
     shape = np.broadcast_shapes(array.shape, places.shape)
     take = np.take_along_axis if xp is np else xp.take_along_dim
@@ -58,10 +59,10 @@ def take_along(array: Array, places: Array) -> Array:
 
 
 def finite_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
-    """The given numbers as float64 of a namespace; a tensor keeps its gradient.
+    """The given numbers as a float64 array of a namespace; a tensor keeps its gradient.
 
     Raises:
-        InputError: if something in it is not a finite number.
+        InputError: if something is not a finite number.
     """
     if is_tensor(given):
         array: Array = given.to(xp.float64)
@@ -82,7 +83,7 @@ def finite_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
 
 
 def positive_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
-    """The given parameter as float64 of a namespace.
+    """The given parameter as a float64 array of a namespace.
 
     Raises:
         InputError: if it is not finite and above 0.
@@ -97,7 +98,9 @@ def positive_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
 def outcome_array(
     utilities: NumbersOrTensor, xp: ModuleType, reference: NumbersOrTensor = 0.0
 ) -> Array:
-    """Utilities above (gain) or below (loss) a reference, as float64 [..., K] of a namespace.
+    """Utilities minus a reference, as a float64 array [..., K] of a namespace.
+
+    A positive outcome is a gain, a negative one a loss.
 
     Raises:
         InputError: if there is no outcome, a number is not finite, or the shapes do not fit.
@@ -119,7 +122,7 @@ def outcome_array(
 
 
 def probability_array(probabilities: NumbersOrTensor, outcomes: Array) -> Array:
-    """Probabilities of outcomes [..., K] as float64 like these, normalised to sum to 1.
+    """Probabilities of outcomes [..., K] as an array of the same kind, normalised to sum to 1.
 
     Raises:
         InputError: if one is negative, they do not sum to 1, or the shapes do not fit.

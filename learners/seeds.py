@@ -8,7 +8,7 @@ from learners.errors import InputError
 
 
 class Stream(IntEnum):
-    """What random numbers are for. Streams of one seed have nothing to do with one another."""
+    """What random numbers are for; the streams of one seed are independent of one another."""
 
     SPLIT = 0
     PAIRS = 1

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
     from learners import Learner, Teacher
-    from learners.studying.study import Study
+    from learners.studying.plan import Study
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
     from studio.comparison.comparison import Comparison
@@ -256,7 +256,7 @@ class Studio:
         """
         drawn = () if figure is None else (check_figure(Path(figure)),)
         from learners import find_learners, find_teachers, read_bank
-        from learners.studying.study import Study
+        from learners.studying.plan import Study
 
         who, fitted = find_teachers(teachers), find_learners(learners)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
@@ -318,7 +318,8 @@ class Studio:
 
     def _study(self, study: Study, unfinished: Path) -> pa.Table:
         """Run a study, keeping what is finished in a file."""
-        from learners.studying.study import study_batches, whole_table
+        from learners.studying.study import study_batches
+        from learners.studying.table import whole_table
 
         parts = finished_rows(study, unfinished)
         with self.progress.steps("fits") as done:
@@ -405,7 +406,7 @@ def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:
     import pyarrow.parquet as pq
 
     from learners import InputError as NotOfThisStudy
-    from learners.studying.study import missing_tasks
+    from learners.studying.table import missing_tasks
 
     try:
         table = pq.read_table(unfinished)

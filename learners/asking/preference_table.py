@@ -10,6 +10,7 @@ import pyarrow.parquet as pq
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
+from learners.names import check_name
 
 COLUMNS = ("scene", "action_a", "action_b", "preferred")
 
@@ -20,7 +21,8 @@ def read_preferences(path: Path | str, prospects: Prospects) -> Preferences:
     Args:
         path: a file with the columns `scene` (id in the bank), `action_a`, `action_b` (names of
             two different actions) and `preferred` (the name of one of the two, or `a` or `b`);
-            other columns are ignored. It is read as Parquet if it is called so, otherwise as CSV.
+            other columns are ignored. A file whose name ends in .parquet or .pq is read as
+            Parquet, any other as CSV.
         prospects: the bank that the preferences are about.
 
     Raises:
@@ -40,9 +42,7 @@ def read_preferences(path: Path | str, prospects: Prospects) -> Preferences:
         if scene not in scene_places:
             raise InputError(f"{where}: scene {scene!r} is not allowed: a scene of the bank")
         for field, name in (("action_a", a), ("action_b", b)):
-            if name not in action_places:
-                allowed = ", ".join(prospects.actions)
-                raise InputError(f"{where}: {field} {name!r} is not allowed: {allowed}")
+            check_name(f"{where}: {field}", name, prospects.actions)
         if a == b:
             raise InputError(f"{where}: action_b {b!r} is not allowed: another one than action_a")
         if choice not in (a, b, "a", "b"):

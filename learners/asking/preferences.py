@@ -1,34 +1,24 @@
-"""Who preferred what: pairs of prospects, and the choices between them."""
+"""Questions and answers: pairs of prospects, and the choices between them."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.judging.teachers import Teacher
 from learners.seeds import Stream, generator
 
-IntArray = NDArray[np.int64]
-
 
 @dataclass(frozen=True)
 class Pairs:
-    """N questions: which of two actions of a scene is better?
+    """N questions: which of two actions of a scene is better?"""
 
-    Attributes:
-        scenes: [N], places of the scenes.
-        first: [N], places of the one action.
-        second: [N], places of the other.
-        repeated: how many of the questions were asked before in this series.
-    """
-
-    scenes: IntArray
-    first: IntArray
-    second: IntArray
-    repeated: int = 0
+    scenes: IntArray  # [N], places of the scenes
+    first: IntArray  # [N], places of the one action
+    second: IntArray  # [N], places of the other action
+    repeated: int = 0  # how many of the questions had been asked before in this series
 
 
 @dataclass(frozen=True)
@@ -39,10 +29,10 @@ class Preferences:
         scenes: [N], places of the scenes.
         preferred: [N], places of the actions that were preferred.
         other: [N], places of the actions that were not.
-        certainty: mean probability, 0.5 to 1, with which the teacher would answer the same way
-            again as the likelier answer goes; not known of people. Answers that are all certain
-            teach little: they give no measure of how much better something is.
-        repeated: how many of the questions were asked before in this series.
+        certainty: mean probability, 0.5 to 1, of the likelier of the teacher's two answers; None
+            for people, of whom it is not known. Answers that are all certain teach little: they
+            give no measure of how much better something is.
+        repeated: how many of the questions had been asked before in this series.
     """
 
     scenes: IntArray
@@ -70,16 +60,15 @@ def sample_pairs(
 ) -> Pairs:
     """Draw pairs of different actions of one scene.
 
-    No pair comes twice before all have come once; when more are asked for than there are, they
-    all come again, in another order, and `Pairs.repeated` says how many did. A longer series of
-    the same seed begins with the shorter one.
+    No pair is drawn a second time before all pairs were drawn once. If more pairs are asked for
+    than there are, all are drawn again in another order, and `Pairs.repeated` counts the
+    repetitions. A longer series of the same seed begins with the shorter one.
 
     Args:
         prospects: the scenes and actions.
         count: how many pairs, 1 or more.
         seed: which series, 0 or more.
-        scenes: places of the scenes to ask about, such as those of `Split.training`; all if left
-            out.
+        scenes: places of the scenes to ask about, such as `Split.training`; all if left out.
 
     Raises:
         InputError: if the count or the seed is out of range.
@@ -103,8 +92,8 @@ def sample_pairs(
     )
 
 
-def first_probability(values: FloatArray, pairs: Pairs, beta: float) -> FloatArray:
-    """Probability that the first of two is preferred, σ(β(V_first − V_second)), [N].
+def first_log_odds(values: FloatArray, pairs: Pairs, beta: float) -> FloatArray:
+    """Logarithm of the odds that the first of two is preferred, β(V_first − V_second), [N].
 
     This is the model of Bradley and Terry ("Rank Analysis of Incomplete Block Designs",
     Biometrika 39, 1952) with merits exp(βV).
@@ -114,35 +103,38 @@ def first_probability(values: FloatArray, pairs: Pairs, beta: float) -> FloatArr
         pairs: the questions.
         beta: β, how decided the answers are.
     """
-    advantage = values[pairs.scenes, pairs.first] - values[pairs.scenes, pairs.second]
+    return beta * (values[pairs.scenes, pairs.first] - values[pairs.scenes, pairs.second])
+
+
+def probability(log_odds: FloatArray) -> FloatArray:
+    """Probability of something whose odds have this logarithm."""
     # the hyperbolic tangent neither overflows nor loses the symmetry of the two sides
-    return np.asarray(0.5 + 0.5 * np.tanh(0.5 * beta * advantage), dtype=np.float64)
+    return np.asarray(0.5 + 0.5 * np.tanh(0.5 * log_odds), dtype=np.float64)
 
 
 def ask(teacher: Teacher, prospects: Prospects, pairs: Pairs, seed: int) -> Preferences:
     """Let a teacher answer.
 
-    The answer to question n depends on the teacher, the question, the seed and n only, so that a
-    longer series begins with the answers of the shorter one, and two teachers who think alike
-    answer alike.
+    The answer to question n depends on the teacher, the question, the seed and n only. So a longer
+    series begins with the answers of the shorter one, and teachers who think alike answer alike.
 
     Args:
-        teacher: who answers.
-        prospects: what the pairs are about.
+        teacher: the teacher who answers.
+        prospects: the prospects that the pairs are about.
         pairs: the questions.
-        seed: of what is random in the answers, 0 or more.
+        seed: decides what is random in the answers, 0 or more.
     """
     return answer(teacher.values(prospects.features), pairs, teacher.beta, seed)
 
 
 def answer(values: FloatArray, pairs: Pairs, beta: float, seed: int) -> Preferences:
-    """What someone answers to whom the prospects have these values [S, A], see `ask`."""
-    probability = first_probability(values, pairs, beta)
-    is_first = generator(seed, Stream.LABELS).random(len(pairs.scenes)) < probability
+    """The answers of someone to whom the prospects have these values [S, A], see `ask`."""
+    of_first = probability(first_log_odds(values, pairs, beta))
+    is_first = generator(seed, Stream.LABELS).random(len(pairs.scenes)) < of_first
     return Preferences(
         scenes=pairs.scenes,
         preferred=np.where(is_first, pairs.first, pairs.second),
         other=np.where(is_first, pairs.second, pairs.first),
-        certainty=float(np.maximum(probability, 1.0 - probability).mean()),
+        certainty=float(np.maximum(of_first, 1.0 - of_first).mean()),
         repeated=pairs.repeated,
     )

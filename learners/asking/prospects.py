@@ -7,12 +7,9 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.errors import InputError
-
-IntArray = NDArray[np.int64]
 
 FEATURES = ("clearance", "deviation", "progress", "smoothness", "collisions")
 """Columns of the bank that describe an outcome, in the order of the reward θ."""
@@ -25,7 +22,8 @@ _NUMBERS = ("scene", "rollout")
 class Prospects:
     """What may come of every action in every scene: S scenes, A actions, K outcomes, D features.
 
-    A scene is spoken of by its place, 0 to S − 1; its id is what the bank calls it.
+    Scenes are numbered by their place here, 0 to S − 1; the id of a scene is its number in the
+    bank.
 
     Attributes:
         features: [S, A, K, D], φ of every outcome, scaled as in the bank; every outcome of a
@@ -37,7 +35,7 @@ class Prospects:
 
     Raises:
         InputError: if the shapes do not fit, a number is not finite, there are fewer than two
-            actions, or a scene stands there twice.
+            actions, or an id stands there twice.
     """
 
     features: FloatArray
@@ -87,13 +85,10 @@ class Prospects:
 
 
 def read_bank(path: Path | str) -> Prospects:
-    """Read the outcome bank, a Parquet file with one row a rollout.
+    """Read the outcome bank, a Parquet file with one row for each rollout.
 
-    Scenes come in the order of their ids, actions in the order of their first row, the outcomes of
+    Scenes come in the order of their ids, actions in the order of their first rows, and outcomes of
     a prospect in the order of their rollouts. The order of the rows does not matter otherwise.
-
-    Args:
-        path: the file.
 
     Raises:
         InputError: if it cannot be read, a column is missing or of the wrong type, a value is

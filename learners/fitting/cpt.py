@@ -1,6 +1,7 @@
 """The learner who takes people to judge by cumulative prospect theory."""
 
-from dataclasses import astuple, dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,12 +10,7 @@ from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import ENOUGH, Optimum, minimise
 from learners.fitting.eu import fit_mean_utility
-from learners.fitting.fits import (
-    LONGEST_REWARD_STEP,
-    REWARD_DEVIATION,
-    Fit,
-    asked_prospects,
-)
+from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
 from learners.fitting.likelihood import Prior
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.parameters import CptParameters
@@ -23,39 +19,55 @@ from learners.judging.teachers import BETA
 PARAMETER_DEVIATION = (0.5, 0.5, 1.0, 0.5, 0.5)
 """Standard deviations of the priors of ln α, ln η, ln λ, ln γ, ln δ, around 0.
 
-Around 0 because people are taken for maximisers of expected utility until they show otherwise; as
-wide as this because 95 % then lie between 0.37 and 2.7, of λ between 0.14 and 7.4, which holds what
-is found in people (Booij, van Praag and van de Kuilen, "A Parametric Analysis of Prospect Theory's
-Functionals", Theory and Decision 68, 2010, table 1). A hundred choices outweigh it.
+The priors are centred on 0 because people are taken for maximisers of expected utility until they
+show otherwise. They are as wide as this because 95 % of each then lies between 0.37 and 2.7, and
+of λ between 0.14 and 7.4, which covers what is found in people (Booij, van Praag and van de Kuilen,
+"A Parametric Analysis of Prospect Theory's Functionals", Theory and Decision 68, 2010, table 1).
+A hundred choices outweigh them.
 """
 
 STARTS = (
     CptParameters(alpha=0.9, eta=0.9, loss_aversion=1.5, gamma=0.8, delta=0.8),
     CptParameters(alpha=0.7, eta=0.7, loss_aversion=3.5, gamma=0.4, delta=0.4),
 )
-"""Where fits begin: two people, mild and extreme, none of the profiles. θ begins as the θ that best
-explains the choices by expected utility. The minima that they lead to are mostly the same, but with
-100 or 200 choices one may be a few nats above the other."""
+"""Where searches begin: at a mild and at an extreme person, neither of them one of the profiles.
+
+Their θ is the one that best explains the choices by expected utility. Both starts mostly lead to
+the same minimum, but with 100 or 200 choices one may end a few nats above the other.
+"""
 
 ROUGHLY = 0.03
 """How near its minimum each start is followed, in nats, before the better one goes on alone."""
 
 MANY_CHOICES = 400
-"""From so many choices on the minima are all but the same, and only the first start is followed."""
+"""With this many choices the starts hardly differ in where they end: only the first is followed."""
 
 LONGEST_LOG_STEP = 0.5
+"""How far the logarithm of a parameter may move in one step of a fit."""
 
 # which of ln α, ln η, ln λ, ln γ, ln δ each fitted number moves
 UNTIED = np.eye(5)
 TIED = np.array([[1, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 1]], dtype=np.float64)
 
 
+def tied_means(ties: FloatArray, numbers: Sequence[float] | FloatArray) -> FloatArray:
+    """Five numbers, one for each of α, η, λ, γ, δ, averaged over those that are tied."""
+    return np.asarray(ties / ties.sum(axis=1, keepdims=True) @ numbers, dtype=np.float64)
+
+
+def prior_deviation(linear: int, ties: FloatArray, reward_deviation: float) -> FloatArray:
+    """Standard deviations of the priors of the numbers of θ and r, and of the tied logarithms."""
+    return np.concatenate(
+        [np.full(linear, reward_deviation), tied_means(ties, PARAMETER_DEVIATION)]
+    )
+
+
 @dataclass(frozen=True)
 class CptLearner:
     """Fits θ and α, η, λ, γ, δ together, with the weighting of Prelec.
 
-    Loss aversion, curvature and the length of θ trade off against one another. Tied, there are two
-    numbers less to tell apart, and what remains is better determined.
+    Loss aversion, the curvatures and the length of θ trade off against one another. Tying α to η
+    and γ to δ leaves two numbers fewer to tell apart, and determines the others better.
 
     Attributes:
         tied: whether α = η and γ = δ.
@@ -99,36 +111,20 @@ class CptLearner:
             by_logs = np.einsum("pi,ji->pj", worth.by_log_parameters, ties)
             return worth.values, np.concatenate([worth.by_theta, by_reference, by_logs], axis=1)
 
-        weights = ties / ties.sum(axis=1, keepdims=True)
         theta = fit_mean_utility(features.mean(axis=1), choices, self.reward_deviation).z
-        linear = np.ones(count + free_reference)  # θ and r
-        logs = np.ones(len(ties))
-        prior = Prior(
-            mean=np.concatenate([0.0 * linear, 0.0 * logs]),
-            deviation=np.concatenate(
-                [self.reward_deviation * linear, weights @ PARAMETER_DEVIATION]
-            ),
-        )
-        longest_step = np.concatenate([LONGEST_REWARD_STEP * linear, LONGEST_LOG_STEP * logs])
+        linear = count + free_reference  # how many numbers θ and r are
+        deviation = prior_deviation(linear, ties, self.reward_deviation)
+        prior = Prior(np.zeros(len(deviation)), deviation)
+        longest_step = np.repeat([LONGEST_REWARD_STEP, LONGEST_LOG_STEP], [linear, len(ties)])
 
         def search(start: FloatArray, enough: float) -> Optimum:
             return minimise(model, choices, prior, start, longest_step, enough)
 
         heads = []
         for mind in STARTS[: 1 if len(preferences) >= MANY_CHOICES else None]:
-            logs = weights @ np.log(astuple(mind))
+            logs = tied_means(ties, np.log(mind.numbers))
             heads.append(search(np.concatenate([theta, np.zeros(free_reference), logs]), ROUGHLY))
         found = search(min(heads, key=lambda head: head.objective).z, ENOUGH)
         theta, reference, parameters = person(found.z)
-        return Fit(
-            learner=self.name,
-            theta=theta,
-            parameters=parameters,
-            reference=reference,
-            beta=beta,
-            pairs=len(preferences),
-            nll=found.nll / len(preferences),
-            converged=found.converged,
-            steps=found.steps + sum(head.steps for head in heads),
-            expected_decrease=found.expected_decrease,
-        )
+        steps = found.steps + sum(head.steps for head in heads)
+        return Fit.of(self, choices, replace(found, steps=steps), theta, parameters, reference)

@@ -1,21 +1,22 @@
 """Fisher scoring across kinks: how a learner finds what best explains the choices.
 
 Values of cumulative prospect theory have a kink wherever two outcomes change places or one crosses
-the reference. There are so many that the minimum of the objective usually lies on some, where the
-gradient jumps and a Newton step promises a decrease that no step delivers. Therefore gradients of
-the places that were tried are kept in a bundle and looked at together (Lukšan and Vlček, "A
-Bundle-Newton Method for Nonsmooth Unconstrained Minimization", Mathematical Programming 83, 1998).
-Around z, with H the expected Hessian of `likelihood.Survey`, the objective is taken to be
+the reference. These kinks are so dense that the minimum of the objective usually lies on one or
+several of them, where the gradient jumps and a Newton step promises a decrease that no step
+delivers. Therefore the gradients at all places that were tried are kept in a bundle and looked at
+together (Lukšan and Vlček, "A Bundle-Newton Method for Nonsmooth Unconstrained Minimization",
+Mathematical Programming 83, 1998). Around z, with H the expected Hessian of `likelihood.Survey`,
+the objective is taken to be
 
     f(z) + max_j (g_j·d − e_j) + ½ d·H d,
 
-where g_j is gradient j, carried over to z along H, and e_j, its error, is how far off f(z) its
-quadratic model is, though at least ½ ‖z − z_j‖² in the metric of H, so that what was seen far away
-counts little. With the gradient at z alone the step is that of Fisher scoring. The steps are damped
-as Levenberg's and Marquardt's are, by adding μ diag H to H.
+where g_j is the gradient at place z_j, carried over to z along H. Its error e_j is how far the
+quadratic model around z_j misses f(z), but at least ½ ‖z − z_j‖² in the metric of H, so that
+gradients from far away count little. With the gradient at z alone the step is that of Fisher
+scoring. The steps are damped as in the method of Levenberg and Marquardt, by adding μ diag H to H.
 
-How much the undamped model promises is a measure of how far the minimum is: when it is as good as
-nothing, some mixture of gradients nearby is as good as zero.
+The decrease that the undamped model promises measures how far away the minimum is: when the promise
+is almost nothing, some mixture of the gradients nearby is almost zero.
 """
 
 from dataclasses import dataclass
@@ -27,15 +28,15 @@ from learners.fitting.likelihood import Choices, Model, Prior, Survey, survey
 from learners.fitting.simplex import lowest_mixture
 
 ENOUGH = 1e-4
-"""A fit has converged when the model promises to lower the objective by no more, in nats."""
+"""A fit has converged when the model promises to lower the objective by no more than this, nats."""
 
 MOST_STEPS = 300
 
 MOST_KEPT = 40
-"""How many gradients are kept. Those needed at a minimum are at most one more than parameters."""
+"""How many gradients are kept. A minimum needs at most one more of them than parameters."""
 
 FAR = 1.0
-"""Gradients are forgotten from places as far as this, ½ ‖z − z_j‖² in the metric of H, in nats."""
+"""Gradients from places further away are forgotten; ½ ‖z − z_j‖² in the metric of H, nats."""
 
 LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-6, 1e-3, 1e9
 
@@ -43,25 +44,19 @@ WORTHWHILE = 0.05
 """A step is taken if it delivers this share of what the model promises."""
 
 PATIENCE = 3
-"""So many steps may fail before the damping grows; each teaches the model one more gradient."""
+"""How many steps may fail before the damping grows; each adds a gradient to the bundle."""
 
 
 @dataclass(frozen=True)
-class Optimum:
-    """Where the search ended.
+class Optimum(Survey):
+    """The objective around the place where the search ended.
 
     Attributes:
-        z: [M], the parameters.
-        objective: f(z), nats.
-        nll: the part of it that is due to the choices, nats.
         expected_decrease: by how much the model still promises to lower f, nats.
         steps: how many steps were tried.
-        converged: whether that is no more than was asked for.
+        converged: whether the promised decrease is as small as was asked for.
     """
 
-    z: FloatArray
-    objective: float
-    nll: float
     expected_decrease: float
     steps: int
     converged: bool
@@ -69,7 +64,7 @@ class Optimum:
 
 @dataclass(frozen=True)
 class _Step:
-    """The minimum of the model of the objective: where, and how much lower."""
+    """The way d to the minimum of the model of the objective, and the decrease it promises."""
 
     d: FloatArray
     decrease: float
@@ -87,11 +82,11 @@ def minimise(
 
     Args:
         model: values and slopes of the prospects.
-        choices: what was preferred to what.
+        choices: the choices among them.
         prior: what is thought of the parameters beforehand.
-        start: [M], where to begin.
+        start: [M], the parameters at which to begin.
         longest_step: [M], how far each parameter may move in one step.
-        enough: the search ends when no more than this is promised, in nats.
+        enough: the search ends when the model promises no larger decrease than this, nats.
     """
     here = survey(model, choices, prior, start)
     bundle = [here]
@@ -101,11 +96,13 @@ def minimise(
         damped = here.hessian + damping * np.diag(np.diagonal(here.hessian))
         step = _model_step(damped, gradients, errors)
         exhausted = steps == MOST_STEPS or damping > MOST_DAMPING
-        # a damped model promises less, so the undamped one need not be asked before
+        # a damped model promises less: while it promises enough, the undamped one need not be asked
         if exhausted or step.decrease <= enough:
             left = _model_step(here.hessian, gradients, errors).decrease
             if exhausted or left <= enough:
-                return Optimum(here.z, here.objective, here.nll, left, steps, left <= enough)
+                return Optimum(
+                    **vars(here), expected_decrease=left, steps=steps, converged=left <= enough
+                )
 
         steps += 1
         d = step.d / max(1.0, float(np.max(np.abs(step.d) / longest_step)))
@@ -118,7 +115,7 @@ def minimise(
             if delivered > 0.5 * promised:
                 damping = max(damping / 3.0, LEAST_DAMPING)
         else:
-            # before the current place, which is never the one to be forgotten
+            # the current place stays last, so that it is never the one to be forgotten
             bundle = [*(seen for seen in bundle if seen is not here), there, here]
             failed += 1
             if failed > PATIENCE:
@@ -126,7 +123,7 @@ def minimise(
 
 
 def _carry_over(bundle: list[Survey], here: Survey) -> tuple[list[Survey], FloatArray, FloatArray]:
-    """What of the bundle is near, its gradients [J, M] as they would be here, their errors [J]."""
+    """The near part of the bundle, its gradients [J, M] carried over to here, their errors [J]."""
     away = here.z - np.array([seen.z for seen in bundle])
     bend = away @ here.hessian
     distance = 0.5 * (bend * away).sum(axis=1)

@@ -8,12 +8,7 @@ from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import Optimum, minimise
-from learners.fitting.fits import (
-    LONGEST_REWARD_STEP,
-    REWARD_DEVIATION,
-    Fit,
-    asked_prospects,
-)
+from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
 from learners.fitting.likelihood import Choices, Prior
 from learners.judging.teachers import BETA
 
@@ -45,22 +40,11 @@ class EuLearner:
         """
         features, choices = asked_prospects(prospects, preferences, beta)
         found = fit_mean_utility(features.mean(axis=1), choices, self.reward_deviation)
-        return Fit(
-            learner=self.name,
-            theta=found.z,
-            parameters=None,
-            reference=0.0,
-            beta=beta,
-            pairs=len(preferences),
-            nll=found.nll / len(preferences),
-            converged=found.converged,
-            steps=found.steps,
-            expected_decrease=found.expected_decrease,
-        )
+        return Fit.of(self, choices, found, theta=found.z)
 
 
 def fit_mean_utility(means: FloatArray, choices: Choices, deviation: float) -> Optimum:
-    """Fit θ to choices between prospects of mean features [P, D], from θ = 0."""
+    """Fit θ to choices between prospects of mean features [P, D]; the search begins at θ = 0."""
     every = np.ones(means.shape[1])
     return minimise(
         lambda theta: ((theta * means).sum(axis=1), means),

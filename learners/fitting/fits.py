@@ -1,7 +1,7 @@
 """What a learner is, and what it hands back.
 
-A further learner is one file with a class that has a `name`, a `fit` and a `description`; what it
-returns is a `Fit`, or a subclass with its own `values` if it values prospects in another way.
+To add a learner, write a class that has a `name`, a `fit` and a `description` in a file of its own.
+Its `fit` returns a `Fit`, or a subclass with its own `values` if it values prospects otherwise.
 """
 
 import os
@@ -16,6 +16,7 @@ from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
+from learners.fitting.descent import Optimum
 from learners.fitting.likelihood import Choices
 from learners.judging.parameters import CptParameters
 from learners.judging.teachers import BETA, check_beta
@@ -24,9 +25,9 @@ from learners.judging.values import expected_utility, prospect_value
 REWARD_DEVIATION = 1.0
 """Standard deviation of the prior of each number of θ, around 0.
 
-Features are of the order of 1, so with β = 20 this says no more than that a unit of one feature is
-worth some tens of a choice's log-odds at most; choices that can be explained in every detail
-(separable ones) therefore end in a finite θ.
+Features are of the order of 1, so with β = 20 the prior only says that one unit of a feature shifts
+the log-odds of a choice by some tens at most. It keeps θ finite where some θ explains every single
+choice (separable choices).
 """
 
 LONGEST_REWARD_STEP = 0.5
@@ -39,16 +40,16 @@ class Fit:
 
     Attributes:
         learner: name of the learner.
-        theta: [D], θ. Its length and the exponents and β trade off: choices tell β‖θ‖^α.
-        parameters: α, η, λ, γ, δ; none of expected utility.
+        theta: [D], θ. Choices tell β‖θ‖^α only, so its length trades off with β and the exponents.
+        parameters: α, η, λ, γ, δ; None for expected utility.
         reference: r, in units of utility.
         beta: β that the choices were taken to have.
         pairs: N.
         nll: mean negative log-likelihood of the N choices, nats a choice.
         converged: whether the fit ended because there was nothing left to gain.
         steps: how many steps the search took.
-        expected_decrease: by how much one more step promised to lower the objective, nats in all;
-            see `descent`.
+        expected_decrease: by how much a further step promised to lower the objective of all N
+            choices together, nats, see `descent`.
     """
 
     learner: str
@@ -62,19 +63,42 @@ class Fit:
     steps: int
     expected_decrease: float
 
+    @classmethod
+    def of(
+        cls,
+        learner: "Learner",
+        choices: Choices,
+        found: Optimum,
+        theta: FloatArray,
+        parameters: CptParameters | None = None,
+        reference: float = 0.0,
+    ) -> "Fit":
+        """The fit that the optimum of a search means: θ, the parameters and r found there."""
+        pairs = len(choices.preferred)
+        return cls(
+            learner=learner.name,
+            theta=theta,
+            parameters=parameters,
+            reference=reference,
+            beta=choices.beta,
+            pairs=pairs,
+            nll=found.nll / pairs,
+            converged=found.converged,
+            steps=found.steps,
+            expected_decrease=found.expected_decrease,
+        )
+
     @property
     def unit_theta(self) -> FloatArray:
-        """θ/‖θ‖, [D]: the direction, which is what different learners can be compared in."""
+        """θ/‖θ‖, [D]: its direction, in which different learners can be compared."""
         return unit_vector(self.theta)
 
     def values(self, features: FloatArray) -> FloatArray:
         """Learnt value V of prospects whose features are [..., K, D], as [...]."""
         utilities = features @ self.theta
         if self.parameters is None:
-            worth: FloatArray = expected_utility(utilities)
-        else:
-            worth = prospect_value(utilities, self.parameters, reference=self.reference)
-        return worth
+            return expected_utility(utilities)
+        return prospect_value(utilities, self.parameters, reference=self.reference)
 
 
 class Learner(Protocol):
@@ -85,7 +109,7 @@ class Learner(Protocol):
         """What to call it."""
 
     def fit(self, prospects: Prospects, preferences: Preferences, beta: float = BETA) -> Fit:
-        """Find the person that best explains the choices.
+        """Find the person who best explains the choices.
 
         Args:
             prospects: what the choices are about.
@@ -116,13 +140,13 @@ def unit_vector(theta: Sequence[float] | FloatArray) -> FloatArray:
 def fit_many(problems: Sequence[Problem], workers: int | None = None) -> list[Fit]:
     """Fit a batch of problems side by side.
 
-    A fit works on what fits into a processor's cache, so that problems are best handed out one by
-    one; stacking them into larger arrays would be slower, and would let rounding in one depend on
-    what else is in the batch. As it is, a fit is the same bits alone and in company.
+    The arrays of one problem fit into a processor's cache, so problems are handed out one by one.
+    Stacked into larger arrays they would take longer, and the rounding of one fit would depend on
+    the rest of the batch. As it is, a fit is the same bits alone and in company.
 
     Args:
         problems: what to fit.
-        workers: how many at a time; one per processor if left out.
+        workers: how many fits to do at a time; one per processor if left out.
 
     Returns:
         The fits, in the order of the problems.

@@ -6,20 +6,18 @@ Incomplete Block Designs", Biometrika 39, 1952) plus a weak normal prior,
     f(z) = Σ ln(1 + exp(−β (V_preferred − V_other))) + ½ Σ ((z − mean) / deviation)²,
 
 in nats. The prior keeps the minimum finite where the choices do not, for example where a model can
-explain every one of them (separable choices).
+explain every single choice (separable choices).
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 
 Model = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """From parameters z [M] to the values [P] of prospects and their slopes [P, M]."""
-
 
 LEAST_CURVATURE = 1e-12
 """Share of its diagonal that is added to the Hessian, so that rounding cannot make it singular."""
@@ -27,30 +25,19 @@ LEAST_CURVATURE = 1e-12
 
 @dataclass(frozen=True)
 class Choices:
-    """N choices between prospects, and how decided they are.
+    """N choices between prospects, and how decided they are."""
 
-    Attributes:
-        preferred: [N], place of the preferred prospect among the P of the model.
-        other: [N], place of the other one.
-        beta: β, the inverse temperature.
-    """
-
-    preferred: NDArray[np.int64]
-    other: NDArray[np.int64]
-    beta: float
+    preferred: IntArray  # [N], places of the preferred prospects among the P of the model
+    other: IntArray  # [N], places of the others
+    beta: float  # β, the inverse temperature
 
 
 @dataclass(frozen=True)
 class Prior:
-    """Independent normal distributions that the parameters are thought to come from.
+    """Independent normal distributions that the parameters are thought to come from."""
 
-    Attributes:
-        mean: [M].
-        deviation: [M], standard deviations.
-    """
-
-    mean: FloatArray
-    deviation: FloatArray
+    mean: FloatArray  # [M]
+    deviation: FloatArray  # [M], standard deviations
 
 
 @dataclass(frozen=True)
@@ -58,9 +45,9 @@ class Survey:
     """The objective around one place.
 
     Attributes:
-        z: [M], the place.
+        z: [M], the place: parameters of the model.
         objective: f(z), nats.
-        nll: the part of it that is due to the choices, nats.
+        nll: the negative log-likelihood of the choices, which is f(z) without the prior, nats.
         gradient: [M], ∇f.
         hessian: [M, M], the expected Hessian β² Σ p (1 − p) J Jᵀ + 1/deviation², where J is the
             slope of a pair's difference of values. It is positive definite.
@@ -78,7 +65,7 @@ def survey(model: Model, choices: Choices, prior: Prior, z: FloatArray) -> Surve
     values, slopes = model(z)
     margin = choices.beta * (values[choices.preferred] - values[choices.other])
     nll = float(np.logaddexp(0.0, -margin).sum())
-    surprise = 0.5 - 0.5 * np.tanh(0.5 * margin)  # the probability of the other choice
+    surprise = 0.5 - 0.5 * np.tanh(0.5 * margin)  # the probability of the opposite choice
     slope = choices.beta * (slopes[choices.preferred] - slopes[choices.other])
     away = (z - prior.mean) / prior.deviation
     # sums rather than matrix products, whose rounding may depend on the number of processors

@@ -1,4 +1,4 @@
-"""How precisely a teacher could be known from so many choices, at best."""
+"""How precisely a teacher can be known from a number of choices, at best."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from learners.arrays import FloatArray
 from learners.asking.preferences import all_pairs
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
-from learners.fitting.cpt import PARAMETER_DEVIATION, TIED, UNTIED
+from learners.fitting.cpt import TIED, UNTIED, prior_deviation
 from learners.fitting.fits import REWARD_DEVIATION
 from learners.fitting.likelihood import Choices, Prior, survey
 from learners.fitting.slopes import feature_planes, value_slopes
@@ -17,17 +17,11 @@ from learners.judging.teachers import Teacher
 
 @dataclass(frozen=True)
 class Precision:
-    """Standard deviations that no learner can expect to stay below.
+    """Standard deviations that no learner can expect to stay below."""
 
-    Attributes:
-        theta: [D], of θ.
-        log_parameters: [5], of ln α, η, λ, γ, δ; for small ones, relative errors.
-        theta_cosine: the cosine between θ and the truth that is to be expected.
-    """
-
-    theta: FloatArray
-    log_parameters: FloatArray
-    theta_cosine: float
+    theta: FloatArray  # [D], of θ
+    log_parameters: FloatArray  # [5], of ln α, ln η, ln λ, ln γ, ln δ; about relative errors
+    theta_cosine: float  # the cosine between θ and the truth that is to be expected
 
 
 def attainable_precision(
@@ -37,12 +31,12 @@ def attainable_precision(
 
     It is the inverse of the Fisher information of `count` choices together with the prior of
     `CptLearner` (the bound of Cramér and Rao, "Mathematical Methods of Statistics", 1946, section
-    32.6), with the kinks of values left aside. What is learned from fewer choices than parameters
-    can be told apart with, owes more to the prior than to the teacher.
+    32.6), with the kinks of values left aside. With too few choices to tell the parameters apart,
+    the result owes more to the prior than to the teacher.
 
     Args:
-        teacher: who chooses, with Prelec weights.
-        prospects: what the choices are about.
+        teacher: the teacher who chooses, with Prelec weights.
+        prospects: the prospects that the choices are about.
         count: how many choices.
         tied: whether the learner knows that α = η and γ = δ.
 
@@ -67,13 +61,8 @@ def attainable_precision(
     nowhere = np.zeros(slopes.shape[1])
     vague = Prior(nowhere, np.full(len(nowhere), 1e9))
     each = survey(lambda _: (worth.values, slopes), choices, vague, nowhere).hessian
-    deviations = np.concatenate(
-        [
-            np.full(features, REWARD_DEVIATION),
-            (ties / ties.sum(axis=1)[:, None]) @ PARAMETER_DEVIATION,
-        ]
-    )
-    covariance = np.linalg.inv(count / len(pairs.scenes) * each + np.diag(deviations**-2.0))
+    deviation = prior_deviation(features, ties, REWARD_DEVIATION)
+    covariance = np.linalg.inv(count / len(pairs.scenes) * each + np.diag(deviation**-2.0))
     of_theta = covariance[:features, :features]
     length = np.sqrt((reward**2).sum())
     across = np.eye(features) - np.outer(reward, reward) / length**2

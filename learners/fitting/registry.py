@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable
 
-from learners.errors import InputError
 from learners.fitting.cpt import CptLearner
 from learners.fitting.eu import EuLearner
 from learners.fitting.fits import Learner
+from learners.names import find
 
 LEARNERS: dict[str, Learner] = {
     learner.name: learner
@@ -25,8 +25,4 @@ def find_learners(names: Iterable[Learner | str]) -> tuple[Learner, ...]:
     Raises:
         InputError: if one is unknown.
     """
-    wanted = tuple(names)
-    for name in wanted:
-        if isinstance(name, str) and name not in LEARNERS:
-            raise InputError(f"learner {name!r} is not allowed: {', '.join(LEARNERS)}")
-    return tuple(LEARNERS[name] if isinstance(name, str) else name for name in wanted)
+    return find("learner", names, LEARNERS)

@@ -1,4 +1,4 @@
-"""A small quadratic programme: the best mixture of a few things."""
+"""A small quadratic programme: the best mixture of a few things, such as gradients."""
 
 import numpy as np
 
@@ -10,9 +10,9 @@ _TOLERANCE = 1e-10
 def lowest_mixture(quadratic: FloatArray, linear: FloatArray) -> FloatArray:
     """Minimise ½ λ·Q λ + e·λ over mixtures, λ ≥ 0 and Σ λ = 1.
 
-    By active sets: the minimum among the things in use, leaving out what would have to be negative
-    and taking in what would help most, until nothing would (Nocedal and Wright, "Numerical
-    Optimization", 2006, section 16.5).
+    The method is that of active sets (Nocedal and Wright, "Numerical Optimization", 2006, section
+    16.5): find the minimum over the things in use, leave out those whose share would have to be
+    negative, take in the one that lowers the objective most, until none lowers it.
 
     Args:
         quadratic: [J, J], Q, positive semidefinite.

@@ -1,13 +1,14 @@
 """Values of prospects together with their slopes, which a learner climbs.
 
 `values.prospect_value` is the definition, for any probabilities; here every outcome of a prospect
-has probability 1/K. Then a gain's decision weight depends only on how many outcomes are better and
-a loss's only on how many are worse, so the weights of all prospects are two lists of K numbers, and
-one sort of the utilities is all the order that values and slopes need. The order does not change
-within a small enough neighbourhood, so the slopes are those of a sum of K smooth terms.
+has probability 1/K. Then the decision weight of a gain depends only on how many outcomes are
+better, and that of a loss only on how many are worse. So the weights of all prospects are two lists
+of K numbers, and sorting the utilities once gives all the order that values and slopes need. The
+order does not change within a small enough neighbourhood, so the slopes are those of a sum of K
+smooth terms.
 
-NumPy rather than torch, because everything here works number by number or row by row: a prospect's
-result is the same bits whatever stands beside it and however many processors there are.
+This is NumPy rather than torch because all of it works number by number or row by row: the result
+of a prospect is the same bits whatever stands beside it and however many processors there are.
 """
 
 from dataclasses import dataclass
@@ -21,23 +22,16 @@ from learners.judging.values import SMOOTHING
 
 @dataclass(frozen=True)
 class ValueSlopes:
-    """Values of P prospects, and how they change.
+    """Values of P prospects, and how they change with the parameters."""
 
-    Attributes:
-        values: [P], V.
-        by_theta: [P, D], ∂V/∂θ.
-        by_reference: [P], ∂V/∂r.
-        by_log_parameters: [P, 5], ∂V/∂ ln of α, η, λ, γ, δ.
-    """
-
-    values: FloatArray
-    by_theta: FloatArray
-    by_reference: FloatArray
-    by_log_parameters: FloatArray
+    values: FloatArray  # [P], V
+    by_theta: FloatArray  # [P, D], ∂V/∂θ
+    by_reference: FloatArray  # [P], ∂V/∂r
+    by_log_parameters: FloatArray  # [P, 5], ∂V/∂ ln of α, η, λ, γ, δ
 
 
 def feature_planes(features: FloatArray) -> FloatArray:
-    """Features of prospects [P, K, D] as one plane a feature, [D, P, K], contiguous."""
+    """Features of prospects [P, K, D] as one contiguous plane for each feature, [D, P, K]."""
     return np.ascontiguousarray(np.moveaxis(features, -1, 0))
 
 
@@ -65,7 +59,7 @@ def value_slopes(
     log_size = 0.5 * np.log(smooth_square)
     less_one = np.where(is_gain, a.alpha - 1.0, a.eta - 1.0)
     power = np.exp(less_one * log_size)
-    worth = x * power  # v(x), but for the loss aversion, which goes with the weights
+    worth = x * power  # v(x) without the loss aversion, which is a factor of the weights here
     steepness = power * (1.0 + less_one * (square / smooth_square))
 
     of_gain, of_gain_slope = (ranks[::-1] for ranks in prelec_steps(outcomes, a.gamma))
@@ -79,7 +73,7 @@ def value_slopes(
     pull[places] = (weights * steepness).ravel()
     pull = pull.reshape(count, outcomes)
 
-    # what gains contribute; losses contribute the rest
+    # the part of V that is due to gains; losses contribute the rest
     gains = np.where(is_gain, weighted, 0.0)
     by_alpha = np.einsum("pk,pk->p", gains, log_size)
     by_eta = np.einsum("pk,pk->p", weighted, log_size) - by_alpha
@@ -103,8 +97,8 @@ def value_slopes(
 def prelec_steps(outcomes: int, curvature: float) -> tuple[FloatArray, FloatArray]:
     """Decision weights of K equally likely outcomes by rank from the extreme, and their slopes.
 
-    The weight of the extreme one is w(1/K), of the next w(2/K) − w(1/K), and so on, where w is the
-    weighting of Prelec (see `weighting.weight`).
+    The weight of the most extreme outcome is w(1/K), that of the next w(2/K) − w(1/K), and so on,
+    where w is the weighting of Prelec (see `weighting.weight`).
 
     Returns:
         [K] weights and [K] derivatives with respect to the curvature.

@@ -13,9 +13,9 @@ Parameter = TypeVar("Parameter", covariant=True)
 class CptLike(Protocol[Parameter]):
     """Anything that bears the five parameters of cumulative prospect theory.
 
-    The value functions ask for no more than this. `CptParameters` is one such thing; another may
-    have attributes that are arrays, or tensors to differentiate with respect to. Either is a single
-    number, or a batch whose last axis is 1 and that broadcasts against [..., K].
+    The value functions ask for no more than this. `CptParameters` is one such thing; in others the
+    parameters may be arrays, or tensors to differentiate with respect to. Each is a single number,
+    or a batch whose last axis is 1 and that broadcasts against [..., K].
     """
 
     @property

@@ -1,4 +1,4 @@
-"""Who prefers: people of known taste, to learn from and to be measured against."""
+"""Teachers: people of known taste, whom learners learn from and are measured against."""
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
@@ -10,6 +10,7 @@ from learners.errors import InputError
 from learners.judging.parameters import PROFILES, REWARD, CptParameters
 from learners.judging.values import prospect_value
 from learners.judging.weighting import Weighting, curvature
+from learners.names import find
 
 BETA = 20.0
 """Inverse temperature of choices: how decided people are, per unit of value."""
@@ -30,7 +31,6 @@ class Teacher:
     """Someone who judges prospects by cumulative prospect theory.
 
     Attributes:
-        name: what to call them.
         parameters: α, η, λ, γ, δ; all ones is expected utility.
         reward: θ, what one unit of each feature is worth.
         beta: β, how decided the choices are, per unit of value.
@@ -72,13 +72,10 @@ class Teacher:
                 f"reward of {len(self.reward)} numbers is not allowed: "
                 f"{features.shape[-1]}, one for each feature"
             )
-        worth: FloatArray = prospect_value(
-            features @ np.array(self.reward),
-            self.parameters,
-            weighting=self.weighting,
-            reference=self.reference,
+        utilities: FloatArray = features @ np.array(self.reward)
+        return prospect_value(
+            utilities, self.parameters, weighting=self.weighting, reference=self.reference
         )
-        return worth
 
     def description(self) -> dict[str, object]:
         """All that makes the teacher, in plain types."""
@@ -95,8 +92,4 @@ def find_teachers(names: Iterable[Teacher | str]) -> tuple[Teacher, ...]:
     Raises:
         InputError: if one is unknown.
     """
-    wanted = tuple(names)
-    for name in wanted:
-        if isinstance(name, str) and name not in TEACHERS:
-            raise InputError(f"teacher {name!r} is not allowed: {', '.join(TEACHERS)}")
-    return tuple(TEACHERS[name] if isinstance(name, str) else name for name in wanted)
+    return find("teacher", names, TEACHERS)

@@ -1,15 +1,16 @@
 """What a prospect is worth: expected utility and cumulative prospect theory.
 
-Everything here is batched over leading axes and takes tensors, arrays or lists. Where one of them,
-be it a parameter, is a tensor, the result is a tensor with finite gradients everywhere; else it is
-an array, or a number of NumPy in place of an array without axes. Both are float64. The formulas are
-those of Tversky and Kahneman, "Advances in Prospect Theory: Cumulative Representation of
-Uncertainty", J. Risk and Uncertainty 5 (1992).
+Every function is batched over leading axes and takes tensors, arrays or lists. If one argument or
+one parameter is a tensor, the result is a tensor, whose gradients are finite everywhere; otherwise
+it is an array, or a number of NumPy where it has no axes. Either is float64. The formulas are those
+of Tversky and Kahneman, "Advances in Prospect Theory: Cumulative Representation of Uncertainty",
+J. Risk and Uncertainty 5 (1992).
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, overload
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Protocol, overload
 
 from learners.arrays import (
     Array,
@@ -32,10 +33,41 @@ if TYPE_CHECKING:
 SMOOTHING = 1e-12
 """Outcomes smaller than this are valued in proportion to their size, in units of utility.
 
-It keeps the slope finite at 0, where that of x^α is not: 27 with the `tk` profile, 251 with
-`strong`. The error is largest at |x| near 1e-12, where it stays below 1e-10 for exponents of 0.8
-and more, and vanishes as (1e-12/x)² relative to the value: below rounding from |x| = 1e-4 on.
+It keeps the slope at 0 finite, where the slope of x^α is infinite: 27 with the `tk` profile, 251
+with `strong`. The error is largest for |x| near 1e-12, where it stays below 1e-10 for exponents of
+0.8 and more. Relative to the value it vanishes as (1e-12/x)², and is below rounding from
+|x| = 1e-4 on.
 """
+
+
+class _OfOutcomes(Protocol):
+    """A function of prospects that gives an array, or a tensor if it is given a tensor."""
+
+    @overload
+    def __call__(  # type: ignore[overload-overlap]
+        self,
+        utilities: Numbers,
+        parameters: CptLike[Numbers],
+        probabilities: Numbers | None = ...,
+        *,
+        weighting: Weighting = ...,
+        reference: Numbers = ...,
+    ) -> FloatArray: ...
+    @overload
+    def __call__(
+        self,
+        utilities: NumbersOrTensor,
+        parameters: CptLike[NumbersOrTensor],
+        probabilities: NumbersOrTensor | None = ...,
+        *,
+        weighting: Weighting = ...,
+        reference: NumbersOrTensor = ...,
+    ) -> Tensor: ...
+
+
+def _of_outcomes(function: Callable[..., Array]) -> _OfOutcomes:
+    """Tell type checkers what a function of prospects gives; it is handed back as it is."""
+    return function
 
 
 @overload
@@ -58,7 +90,7 @@ def expected_utility(
         [...], float64.
 
     Raises:
-        InputError: if utilities are missing or not finite, or the probabilities are not such.
+        InputError: if utilities are missing or not finite, or the probabilities are wrong.
     """
     u = outcome_array(utilities, namespace(utilities, probabilities))
     if probabilities is None:
@@ -66,24 +98,7 @@ def expected_utility(
     return (probability_array(probabilities, u) * u).sum(-1)
 
 
-@overload
-def prospect_value(  # type: ignore[overload-overlap]
-    utilities: Numbers,
-    parameters: CptLike[Numbers],
-    probabilities: Numbers | None = ...,
-    *,
-    weighting: Weighting = ...,
-    reference: Numbers = ...,
-) -> FloatArray: ...
-@overload
-def prospect_value(
-    utilities: NumbersOrTensor,
-    parameters: CptLike[NumbersOrTensor],
-    probabilities: NumbersOrTensor | None = ...,
-    *,
-    weighting: Weighting = ...,
-    reference: NumbersOrTensor = ...,
-) -> Tensor: ...
+@_of_outcomes
 def prospect_value(
     utilities: NumbersOrTensor,
     parameters: CptLike[NumbersOrTensor],
@@ -109,7 +124,7 @@ def prospect_value(
         [...], float64.
 
     Raises:
-        InputError: if utilities are missing or not finite, the probabilities are not such, or a
+        InputError: if utilities are missing or not finite, the probabilities are wrong, or a
             parameter is out of range.
 
     Example:
@@ -135,8 +150,8 @@ def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Tensor: .
 def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Array:
     """Value v of gains and losses: x^α for x ≥ 0, −λ(−x)^η for x < 0 (equation 5).
 
-    Computed as x·√(x² + ε²)^(α−1), which has a slope at 0 and is exact for α = 1; `SMOOTHING`
-    is ε. At 0 the gradient is the one towards gains.
+    Computed as x·√(x² + ε²)^(α−1), ε being `SMOOTHING`, which has a finite slope at 0 and is
+    exact for α = 1. At 0 the gradient is that of gains.
 
     Args:
         x: any shape, utility above (gain) or below (loss) the reference.
@@ -162,24 +177,7 @@ def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Array:
     return aversion * outcomes * size ** (exponent - 1.0)
 
 
-@overload
-def decision_weights(  # type: ignore[overload-overlap]
-    utilities: Numbers,
-    parameters: CptLike[Numbers],
-    probabilities: Numbers | None = ...,
-    *,
-    weighting: Weighting = ...,
-    reference: Numbers = ...,
-) -> FloatArray: ...
-@overload
-def decision_weights(
-    utilities: NumbersOrTensor,
-    parameters: CptLike[NumbersOrTensor],
-    probabilities: NumbersOrTensor | None = ...,
-    *,
-    weighting: Weighting = ...,
-    reference: NumbersOrTensor = ...,
-) -> Tensor: ...
+@_of_outcomes
 def decision_weights(
     utilities: NumbersOrTensor,
     parameters: CptLike[NumbersOrTensor],
@@ -192,22 +190,16 @@ def decision_weights(
 
     A loss counts w⁻(P of it or worse) − w⁻(P of worse), a gain w⁺(P of it or better) −
     w⁺(P of better). An outcome at the reference counts as a gain, which changes no value. Of
-    outcomes that tie, the earlier counts as the worse; together they count what they must.
-    In mixed prospects the weights need not sum to 1.
+    outcomes that tie, the earlier counts as the worse, which does not change their total. The
+    weights of a prospect that has gains and losses need not sum to 1.
 
-    Args:
-        utilities: [..., K], one utility per outcome, in any order.
-        parameters: as for `prospect_value`; γ and δ are used.
-        probabilities: [..., K], that broadcast against the utilities; left out, every outcome
-            has probability 1/K.
-        weighting: how probabilities are weighted, see `weight`.
-        reference: r, what counts as neither gain nor loss; broadcasts against the utilities.
+    The arguments are those of `prospect_value`; of the parameters γ and δ are used.
 
     Returns:
         [..., K], float64, in the order of the utilities.
 
     Raises:
-        InputError: if utilities are missing or not finite, the probabilities are not such, or a
+        InputError: if utilities are missing or not finite, the probabilities are wrong, or a
             parameter is out of range.
     """
     xp = namespace(utilities, probabilities, reference, parameters.gamma, parameters.delta)

@@ -1,9 +1,9 @@
 """How likely something feels: probability weighting.
 
-A weighting function w takes [0, 1] onto [0, 1], and its slope is infinite at both ends when its
+A weighting function w maps [0, 1] onto [0, 1], and its slope is infinite at both ends when its
 curvature is below 1. With curvature 0.5, a probability that misses 1 by one rounding error, 1e-16,
 has a weight that misses 1 by 1e-8. Therefore a probability p is handed around together with its
-complement 1 − p, each exact where it is small, and logarithms are taken of the smaller one.
+complement 1 − p, each exact where it is small, and logarithms are taken of the smaller of the two.
 """
 
 from __future__ import annotations
@@ -54,8 +54,8 @@ def weight(
     w(p) = p^γ / (p^γ + (1 − p)^γ)^(1/γ) (Tversky and Kahneman, "Advances in Prospect Theory",
     J. Risk and Uncertainty 5, 1992, equation 6). Both are p itself when γ = 1.
 
-    w(0) = 0 and w(1) = 1 whatever γ is. The slope there, which is infinite for γ < 1, is given
-    as 1, so that no gradient is ever infinite or not a number.
+    w(0) = 0 and w(1) = 1 for every γ. The gradient there, infinite for γ < 1, is given as 1, so
+    that all gradients are finite.
 
     Args:
         probability: p, any shape, 0 to 1.
@@ -84,7 +84,7 @@ def weight(
 def curvature(
     field: str, given: NumbersOrTensor, weighting: Weighting, xp: ModuleType = np
 ) -> Array:
-    """The curvature as float64 of a namespace, checked for the weighting that it is meant for.
+    """The curvature as a float64 array of a namespace, checked for this weighting.
 
     Raises:
         InputError: if the weighting is unknown, or not monotone with this curvature.
@@ -109,13 +109,13 @@ def weigh(p: Array, complement: Array, gamma: Array, weighting: Weighting) -> Ar
     xp = namespace(p)
     inside = (p > 0.0) & (complement > 0.0)
     is_smaller = p <= complement
-    # not `minimum`, which at p = 1/2 would halve a tensor's gradient between p and 1 − p, and
-    # 1/2 at the ends because `where` spoils gradients unless its input is harmless too
+    # not `minimum`, which at p = 1/2 would split a tensor's gradient between p and 1 − p; and 1/2
+    # at the ends, because gradients through `where` need finite numbers on both of its branches
     smaller = xp.where(inside, xp.where(is_smaller, p, complement), 0.5)
     log_smaller, log_larger = xp.log(smaller), xp.log1p(-smaller)
     log_p = xp.where(is_smaller, log_smaller, log_larger)
     log_complement = xp.where(is_smaller, log_larger, log_smaller)
-    # what overflows on the way to exp(−∞) is a weight of 0
+    # an overflow here leads to exp(−∞), a weight of 0, as it should
     with np.errstate(over="ignore"):
         weights = _FUNCTIONS[weighting](log_p, log_complement, gamma, xp)
     return xp.clip(xp.where(inside, weights, p), 0.0, 1.0)

@@ -1,118 +1,109 @@
-"""What the rows of a study say together: learning curves and comparisons, with intervals.
+"""What the rows of a study say together: learning curves and paired differences, with intervals.
 
 Intervals are 95 % percentile bootstrap intervals of a mean over seeds (Efron and Tibshirani, "An
 Introduction to the Bootstrap", 1993, section 13.3), from a fixed seed. Every seed has a split,
-pairs and answers of its own, though all from one bank: intervals speak of these scenes.
+pairs and answers of its own, but all seeds share one bank: intervals speak of the bank's scenes.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
+from learners.arrays import FloatArray, IntArray
 from learners.errors import InputError
+from learners.names import check_name
 from learners.seeds import Stream, generator
+from learners.studying.table import TASK_COLUMNS
 
 RESAMPLES = 10_000
 
 COVERAGE = 0.95
 
+Entry: TypeAlias = Any
+"""What a column holds for one fit: a number, or a list of D numbers; for averages an array [D]."""
+
 
 @dataclass(frozen=True)
 class Spread:
-    """What the seeds say of one column at one number of pairs.
+    """What the seeds say of one column after one number of pairs."""
 
-    Attributes:
-        runs: how many seeds there are.
-        mean: mean over seeds; an array [D] for a column of lists, and so are the others.
-        std: standard deviation over seeds; 0 for a single seed.
-        low: lower end of the 95 % interval of the mean.
-        high: upper end.
-    """
+    runs: int  # how many seeds there are
+    mean: Entry  # over seeds
+    std: Entry  # standard deviation over seeds; 0 for a single seed
+    low: Entry  # lower end of the 95 % interval of the mean
+    high: Entry  # upper end of that interval
 
-    runs: int
-    mean: Any
-    std: Any
-    low: Any
-    high: Any
+
+@dataclass(frozen=True)
+class Difference:
+    """How much lower or higher one learner's column is than another's after one number of pairs."""
+
+    runs: int  # how many seeds both learners have
+    difference: float  # mean over seeds of learner − baseline
+    low: float  # lower end of the 95 % interval of that mean
+    high: float  # upper end of that interval
+    ratio: float  # mean of the learner over mean of the baseline; not a number over 0
 
 
 @dataclass(frozen=True)
 class Curve:
-    """How one column of the table changes with the number of pairs n.
-
-    Attributes:
-        teacher: who was learned from.
-        learner: who learned.
-        column: name of the column.
-        pairs: [n], ascending.
-        runs: [n], how many seeds there are.
-        mean: [n], or [n, D] for a column of lists, mean over seeds.
-        std: the same shape, standard deviation over seeds; 0 for a single seed.
-        low: the same shape, lower end of the 95 % interval of the mean.
-        high: the same shape, upper end.
-    """
+    """How one column of the table changes with the number of pairs: n `Spread`s in a row."""
 
     teacher: str
     learner: str
     column: str
-    pairs: NDArray[np.int64]
-    runs: NDArray[np.int64]
-    mean: FloatArray
+    pairs: IntArray  # [n], ascending
+    runs: IntArray  # [n]
+    mean: FloatArray  # [n], or [n, D] for a column of lists; the shape of the three below too
     std: FloatArray
     low: FloatArray
     high: FloatArray
 
     def at(self, pairs: int) -> Spread | None:
-        """What the curve says at this number of pairs; None if nobody learned from so many."""
-        for place in np.flatnonzero(self.pairs == pairs):
-            sides = (each[place] for each in (self.mean, self.std, self.low, self.high))
-            return Spread(int(self.runs[place]), *sides)
-        return None
+        """What the curve says after this number of pairs; None if it has no such point."""
+        place = _place(self.pairs, pairs)
+        if place is None:
+            return None
+        sides = (side[place] for side in (self.mean, self.std, self.low, self.high))
+        return Spread(int(self.runs[place]), *sides)
 
 
 @dataclass(frozen=True)
 class PairedDifference:
-    """How much lower or higher one learner's column is than another's, seed by seed.
-
-    Attributes:
-        teacher: who was learned from.
-        learner: who is compared.
-        baseline: with whom.
-        column: name of the column.
-        pairs: [n], ascending.
-        runs: [n], how many seeds both have.
-        difference: [n], mean over seeds of learner − baseline.
-        low: [n], lower end of the 95 % interval of that mean.
-        high: [n], upper end.
-        ratio: [n], mean of the learner over mean of the baseline; not a number over 0.
-    """
+    """How two learners differ in one column, by the number of pairs: n `Difference`s in a row."""
 
     teacher: str
     learner: str
-    baseline: str
+    baseline: str  # the learner that the first one is compared with
     column: str
-    pairs: NDArray[np.int64]
-    runs: NDArray[np.int64]
+    pairs: IntArray  # [n], ascending; all below are [n] too
+    runs: IntArray
     difference: FloatArray
     low: FloatArray
     high: FloatArray
     ratio: FloatArray
 
+    def at(self, pairs: int) -> Difference | None:
+        """How they differ after this number of pairs; None if not both learned from that many."""
+        place = _place(self.pairs, pairs)
+        if place is None:
+            return None
+        sides = (float(side[place]) for side in (self.difference, self.low, self.high, self.ratio))
+        return Difference(int(self.runs[place]), *sides)
+
 
 def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Curve]:
-    """One curve a teacher and learner, in the order in which they appear in the table.
+    """One curve for each teacher and learner, in the order in which they appear in the table.
 
-    Pairs of teacher and learner that have nothing in the column (α of expected utility) are left
-    out.
+    Learners who have nothing in the column, such as α in expected utility, have no curve.
 
     Args:
         table: rows of a study.
-        column: what to follow; numbers, or lists of numbers of one length such as `theta_unit`.
+        column: a column of numbers, or of lists of numbers of one length such as `theta_unit`.
 
     Raises:
         InputError: if there is no such column, or it cannot be averaged.
@@ -127,14 +118,11 @@ def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Cur
         }
         if not runs:
             continue
-        intervals = [mean_interval(samples) for samples in runs.values()]
         curves.append(
             Curve(
                 teacher,
                 learner,
                 column,
-                pairs=np.array(list(runs)),
-                runs=np.array([len(samples) for samples in runs.values()]),
                 mean=np.array([samples.mean(axis=0) for samples in runs.values()]),
                 std=np.array(
                     [
@@ -142,8 +130,7 @@ def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Cur
                         for samples in runs.values()
                     ]
                 ),
-                low=np.array([low for low, _ in intervals]),
-                high=np.array([high for _, high in intervals]),
+                **_intervals(runs),
             )
         )
     return curves
@@ -158,20 +145,18 @@ def paired_differences(
         table: rows of a study.
         learner: who is compared.
         baseline: with whom.
-        column: what to compare; numbers.
+        column: a column of numbers.
 
     Returns:
-        One comparison a teacher, of the sizes and seeds that both learners have.
+        One for each teacher, of the numbers of pairs and the seeds that both learners have.
 
     Raises:
         InputError: if there is no such column or learner, or the column cannot be averaged.
     """
     found = _by_task(table, column)
     for name in (learner, baseline):
-        if name not in _names(table, "learner"):
-            allowed = ", ".join(_names(table, "learner"))
-            raise InputError(f"learner {name!r} is not allowed: {allowed}")
-    comparisons = []
+        check_name("learner", name, _names(table, "learner"))
+    paired = []
     for teacher in _names(table, "teacher"):
         runs = {}
         for pairs in sorted({pairs for who, _, pairs in found if who == teacher}):
@@ -182,32 +167,28 @@ def paired_differences(
                 runs[pairs] = np.array([(ours[seed], theirs[seed]) for seed in both])
         if not runs:
             continue
-        differences = [samples[:, 0] - samples[:, 1] for samples in runs.values()]
-        intervals = [mean_interval(samples) for samples in differences]
+        differences = {pairs: samples[:, 0] - samples[:, 1] for pairs, samples in runs.items()}
         means = np.array([samples.mean(axis=0) for samples in runs.values()])
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.where(means[:, 1] != 0.0, means[:, 0] / means[:, 1], np.nan)
-        comparisons.append(
+        paired.append(
             PairedDifference(
                 teacher,
                 learner,
                 baseline,
                 column,
-                pairs=np.array(list(runs)),
-                runs=np.array([len(samples) for samples in differences]),
-                difference=np.array([samples.mean() for samples in differences]),
-                low=np.array([low for low, _ in intervals]),
-                high=np.array([high for _, high in intervals]),
+                difference=np.array([samples.mean() for samples in differences.values()]),
                 ratio=ratio,
+                **_intervals(differences),
             )
         )
-    return comparisons
+    return paired
 
 
 def mean_interval(samples: FloatArray, seed: int = 0) -> tuple[FloatArray, FloatArray]:
     """95 % bootstrap interval of the mean of samples [n, ...], its two ends [...].
 
-    A single sample is its own interval: it says nothing of its spread.
+    The interval of a single sample is that sample, which says nothing of its spread.
     """
     draws = generator(seed, Stream.BOOTSTRAP).integers(len(samples), size=(RESAMPLES, len(samples)))
     means = samples[draws].mean(axis=1)
@@ -215,22 +196,37 @@ def mean_interval(samples: FloatArray, seed: int = 0) -> tuple[FloatArray, Float
     return low, high
 
 
-def _by_task(table: pa.Table, column: str) -> dict[tuple[str, str, int], dict[int, Any]]:
-    """The column's value of each seed, by teacher, learner and number of pairs."""
-    names = ("teacher", "learner", "pairs", "seed", column)
+def _intervals(runs: Mapping[int, FloatArray]) -> dict[str, Any]:
+    """What curves and differences share, from the samples of the seeds by number of pairs."""
+    intervals = [mean_interval(samples) for samples in runs.values()]
+    return {
+        "pairs": np.array(list(runs)),
+        "runs": np.array([len(samples) for samples in runs.values()]),
+        "low": np.array([low for low, _ in intervals]),
+        "high": np.array([high for _, high in intervals]),
+    }
+
+
+def _place(sizes: IntArray, pairs: int) -> int | None:
+    """Where a number of pairs stands among those of a curve; None if it does not."""
+    places = np.flatnonzero(sizes == pairs)
+    return int(places[0]) if len(places) else None
+
+
+def _by_task(table: pa.Table, column: str) -> dict[tuple[str, str, int], dict[int, Entry]]:
+    """The column's entry of each seed, by teacher, learner and number of pairs."""
+    names = (*TASK_COLUMNS, column)
     for name in names:
-        if name not in table.column_names:
-            raise InputError(f"column {name!r} is not allowed: {', '.join(table.column_names)}")
+        check_name("column", name, table.column_names)
     kind = table.schema.field(column).type
     of = kind.value_type if pa.types.is_list(kind) else kind
     if not (pa.types.is_floating(of) or pa.types.is_integer(of) or pa.types.is_boolean(of)):
         raise InputError(f"column {column!r} of {kind} is not allowed: a column of numbers")
-    found: dict[tuple[str, str, int], dict[int, Any]] = {}
-    for teacher, learner, pairs, seed, number in zip(
-        *(table[name].to_pylist() for name in names), strict=True
-    ):
-        if number is not None:
-            found.setdefault((teacher, learner, pairs), {})[seed] = number
+    found: dict[tuple[str, str, int], dict[int, Entry]] = {}
+    rows = zip(*(table[name].to_pylist() for name in names), strict=True)
+    for teacher, learner, pairs, seed, entry in rows:
+        if entry is not None:
+            found.setdefault((teacher, learner, pairs), {})[seed] = entry
     return found
 
 

@@ -1,16 +1,15 @@
-"""How well something learnt stands the test of held-out scenes: regret, agreement, calibration."""
+"""How well learnt values do in held-out scenes: regret, agreement, likelihood, calibration."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
-from learners.asking.preferences import all_pairs, first_probability
+from learners.arrays import FloatArray, IntArray
+from learners.asking.preferences import all_pairs, first_log_odds, probability
 from learners.judging.teachers import BETA
 
 CALIBRATION_BINS = 10
-"""Into how many equal parts predicted probabilities, 0 to 1, are sorted."""
+"""How many equal bins predicted probabilities, 0 to 1, are sorted into."""
 
 
 @dataclass(frozen=True)
@@ -18,16 +17,12 @@ class Calibration:
     """Whether people prefer as often as predicted, in bins of predicted probability.
 
     Every pair is counted from both sides, so the lower half mirrors the upper one.
-
-    Attributes:
-        count: [bins], how many predictions fall into the bin.
-        predicted: [bins], their mean; not a number where there is none.
-        preferred: [bins], the mean probability with which the teacher prefers so; likewise.
+    The means are not a number in bins without predictions.
     """
 
-    count: NDArray[np.int64]
-    predicted: FloatArray
-    preferred: FloatArray
+    count: IntArray  # [bins], how many predictions fall into the bin
+    predicted: FloatArray  # [bins], the mean of these predictions
+    preferred: FloatArray  # [bins], the mean probability with which the teacher does as predicted
 
 
 @dataclass(frozen=True)
@@ -40,7 +35,7 @@ class Evaluation:
         agreement: share of scenes in which the teacher's best action is picked, 0 to 1.
         nll: expected negative log-likelihood of the teacher's answers to all pairs of the scenes,
             nats a pair.
-        nll_teacher: the same if the teacher predicts the own answers: the least possible.
+        nll_teacher: the same if the teacher's own values predicted them: the least possible.
         calibration: of the predicted answers to all pairs of the scenes.
         scene_regret: [S], V_teacher(best action) − V_teacher(picked action) in each scene.
         scene_picks: [S], place of the action that the learner picks there.
@@ -53,7 +48,7 @@ class Evaluation:
     nll_teacher: float
     calibration: Calibration
     scene_regret: FloatArray
-    scene_picks: NDArray[np.int64]
+    scene_picks: IntArray
 
 
 def evaluate(
@@ -61,12 +56,12 @@ def evaluate(
 ) -> Evaluation:
     """Measure learnt values of prospects against a teacher's.
 
-    The action of the highest value is picked, of equal ones the first. Where no action can be
-    better than another, in any scene, the regret is 0 %.
+    The learner picks the action of the highest learnt value, the first of equal ones. If in no
+    scene any action is better than another, the regret is 0 %.
 
     Args:
-        values: [S, A], what was learned, of scenes that were not learned from.
-        truth: [S, A], what the teacher thinks of the same prospects.
+        values: [S, A], learnt values in scenes that were not learned from.
+        truth: [S, A], what the same prospects are worth to the teacher.
         beta: β that the learner takes choices to have.
         teacher_beta: β of the teacher; the same if left out.
     """
@@ -76,22 +71,17 @@ def evaluate(
     regret = float((best - got).mean())
     random_regret = float((best - truth.mean(axis=1)).mean())
 
-    if teacher_beta is None:
-        teacher_beta = beta
     pairs = all_pairs(*truth.shape)
-    predicted = first_probability(values, pairs, beta)
-    preferred = first_probability(truth, pairs, teacher_beta)
-    log_odds, true_log_odds = (
-        decided * (worth[pairs.scenes, pairs.first] - worth[pairs.scenes, pairs.second])
-        for decided, worth in ((beta, values), (teacher_beta, truth))
-    )
+    log_odds = first_log_odds(values, pairs, beta)
+    true_log_odds = first_log_odds(truth, pairs, beta if teacher_beta is None else teacher_beta)
+    preferred = probability(true_log_odds)
     return Evaluation(
         regret=regret,
         regret_percent=100.0 * regret / random_regret if random_regret > 0.0 else 0.0,
         agreement=float((got == best).mean()),
         nll=_cross_entropy(preferred, log_odds),
         nll_teacher=_cross_entropy(preferred, true_log_odds),
-        calibration=_calibrate(predicted, preferred),
+        calibration=_calibrate(probability(log_odds), preferred),
         scene_regret=best - got,
         scene_picks=picks,
     )

@@ -1,10 +1,9 @@
 """Where the regret of a study lies: in which families of scenes, and in which scenes.
 
-The table of a study tells the regret in every scene that was held out, seed by seed. From seed to
-seed other scenes are held out, so a scene has as many regrets as seeds that kept it back.
+Each row of a study tells the regret in every scene that its seed held out. Every seed holds out
+other scenes, so a scene has one regret for each of the seeds that held it out.
 """
 
-import json
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -13,100 +12,24 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
-from numpy.typing import NDArray
 
-from learners.arrays import FloatArray
-from learners.asking.prospects import Prospects
-from learners.errors import InputError
+from learners.arrays import FloatArray, IntArray
 from learners.studying.curves import Curve, learning_curves
-
-IntArray = NDArray[np.int64]
-
-METADATA = b"prospect_study"
-"""Key of a study's table's metadata, JSON, that says what was studied."""
-
-
-@dataclass(frozen=True)
-class StudyScene:
-    """A scene of a study, and what it is to the teachers.
-
-    Attributes:
-        scene: its id in the bank.
-        family: the kind of scene.
-        pattern: how people meet in it.
-        best: the action that each teacher would pick, by the teacher's name.
-        random_regret: what an action picked at random would cost each teacher, in units of value.
-    """
-
-    scene: int
-    family: str
-    pattern: str
-    best: dict[str, str]
-    random_regret: dict[str, float]
+from learners.studying.plan import StudyScene
+from learners.studying.table import SCENE_COLUMNS, TASK_COLUMNS, study_scenes
 
 
 @dataclass(frozen=True)
 class SceneRegrets:
-    """What one learner's picks cost one teacher in every scene that was held out at least once.
-
-    Attributes:
-        teacher: who was learned from.
-        learner: who learned.
-        pairs: from how many pairs.
-        scenes: [S], ids, ascending.
-        runs: [S], how many seeds held the scene out.
-        regret: [S], mean over these seeds, in units of value.
-        picks: S names of actions: what was picked in most of these seeds.
-    """
+    """What one learner's picks cost one teacher in every scene that was held out at least once."""
 
     teacher: str
     learner: str
-    pairs: int
-    scenes: IntArray
-    runs: IntArray
-    regret: FloatArray
-    picks: tuple[str, ...]
-
-
-def described_scenes(
-    prospects: Prospects, truths: Mapping[str, FloatArray]
-) -> tuple[StudyScene, ...]:
-    """What is known of each scene whoever learns.
-
-    Args:
-        prospects: the scenes.
-        truths: what all prospects are worth to each teacher, [S, A], by the teacher's name.
-    """
-    best = {name: truth.argmax(axis=1) for name, truth in truths.items()}
-    costs = {name: truth.max(axis=1) - truth.mean(axis=1) for name, truth in truths.items()}
-    return tuple(
-        StudyScene(
-            scene=int(prospects.scenes[place]),
-            family=prospects.families[place],
-            pattern=prospects.patterns[place],
-            best={name: prospects.actions[picks[place]] for name, picks in best.items()},
-            random_regret={name: float(cost[place]) for name, cost in costs.items()},
-        )
-        for place in range(len(prospects.scenes))
-    )
-
-
-def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
-    """The scenes of a study, those to learn from too, by their ids in the bank.
-
-    Args:
-        table: rows of a study with its metadata.
-
-    Raises:
-        InputError: if the table does not say what its scenes are.
-    """
-    try:
-        told = json.loads((table.schema.metadata or {})[METADATA])["scenes"]
-        return {scene["scene"]: StudyScene(**scene) for scene in told}
-    except (KeyError, TypeError, ValueError):
-        raise InputError(
-            "table: rows without a description of their scenes are not allowed: rows of a study"
-        ) from None
+    pairs: int  # how many pairs were learned from
+    scenes: IntArray  # [S], ids, ascending
+    runs: IntArray  # [S], how many seeds held the scene out
+    regret: FloatArray  # [S], mean over these seeds, in units of value
+    picks: tuple[str, ...]  # S names of actions, each the pick of most of these seeds
 
 
 def family_table(table: pa.Table) -> pa.Table:
@@ -116,10 +39,10 @@ def family_table(table: pa.Table) -> pa.Table:
         table: rows of a study with its metadata.
 
     Returns:
-        One row a fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes` (how
-        many of the family were held out), `regret` (mean over these, in units of value) and
-        `regret_percent` (the same in % of what an action picked at random would cost in these
-        scenes; 0 where no action can be better than another).
+        One row for every fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes`
+        (how many scenes of the family were held out), `regret` (mean over these scenes, in units
+        of value) and `regret_percent` (the same in % of what an action picked at random would cost
+        in these scenes; 0 where no action can be better than another).
 
     Raises:
         InputError: if the table does not say what its scenes are.
@@ -129,7 +52,7 @@ def family_table(table: pa.Table) -> pa.Table:
 
 
 def family_curves(table: pa.Table, column: str = "regret_percent") -> dict[str, list[Curve]]:
-    """Learning curves of each family, see `learning_curves`; families by name.
+    """Learning curves of each family of scenes, see `learning_curves`, by the family's name.
 
     Args:
         table: rows of a study with its metadata.
@@ -151,37 +74,36 @@ def scene_regrets(table: pa.Table) -> list[SceneRegrets]:
     found: dict[tuple[str, str, int], dict[int, list[tuple[float, str]]]] = {}
     for row in _rows(table):
         by_scene = found.setdefault((row["teacher"], row["learner"], row["pairs"]), {})
-        for scene, *outcome in zip(
-            row["held_out_scenes"], row["scene_regret"], row["scene_picks"], strict=True
-        ):
-            by_scene.setdefault(scene, []).append(tuple(outcome))
-    return [
-        SceneRegrets(
-            *task,
-            scenes=np.array(sorted(by_scene), dtype=np.int64),
-            runs=np.array([len(by_scene[scene]) for scene in sorted(by_scene)]),
-            regret=np.array(
-                [np.mean([regret for regret, _ in by_scene[scene]]) for scene in sorted(by_scene)]
-            ),
-            picks=tuple(
-                Counter(pick for _, pick in by_scene[scene]).most_common(1)[0][0]
-                for scene in sorted(by_scene)
-            ),
+        for scene, regret, pick in zip(*(row[name] for name in SCENE_COLUMNS), strict=True):
+            by_scene.setdefault(scene, []).append((regret, pick))
+    regrets = []
+    for task, by_scene in found.items():
+        scenes = sorted(by_scene)
+        runs = [by_scene[scene] for scene in scenes]
+        regrets.append(
+            SceneRegrets(
+                *task,
+                scenes=np.array(scenes, dtype=np.int64),
+                runs=np.array([len(seeds) for seeds in runs]),
+                regret=np.array([np.mean([regret for regret, _ in seeds]) for seeds in runs]),
+                picks=tuple(
+                    Counter(pick for _, pick in seeds).most_common(1)[0][0] for seeds in runs
+                ),
+            )
         )
-        for task, by_scene in found.items()
-    ]
+    return regrets
 
 
 def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
     """The scenes that tell most about the learners of each teacher, the most telling first.
 
-    These are the scenes in which the learners' regrets differ most at the largest number of pairs
-    and, where they do not differ, in which the regret is largest. Scenes without regret are left
-    out.
+    These are the scenes in which the learners' regrets after the largest number of pairs differ
+    most; of scenes in which they differ alike, the one with the larger regret comes first. Scenes
+    without regret are left out.
 
     Args:
         table: rows of a study.
-        count: how many scenes a teacher, at most.
+        count: how many scenes to name for each teacher, at most.
 
     Returns:
         Ids of scenes by the teacher's name.
@@ -201,9 +123,7 @@ def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
 
 
 def _rows(table: pa.Table) -> list[dict[str, Any]]:
-    names = ("teacher", "learner", "pairs", "seed")
-    lists = ("held_out_scenes", "scene_regret", "scene_picks")
-    rows: list[dict[str, Any]] = table.select([*names, *lists]).to_pylist()
+    rows: list[dict[str, Any]] = table.select([*TASK_COLUMNS, *SCENE_COLUMNS]).to_pylist()
     return sorted(rows, key=lambda row: int(row["seed"]))
 
 
@@ -217,7 +137,7 @@ def _by_family(row: dict[str, Any], scenes: Mapping[int, StudyScene]) -> Iterato
         ours = families == family
         cost = random_regret[ours].mean()
         yield {
-            **{name: row[name] for name in ("teacher", "learner", "pairs", "seed")},
+            **{name: row[name] for name in TASK_COLUMNS},
             "family": family,
             "scenes": int(ours.sum()),
             "regret": regret[ours].mean(),

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from learners.arrays import IntArray
 from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.seeds import Stream, generator
@@ -15,21 +15,16 @@ HELD_OUT = 1.0 / 3.0
 
 @dataclass(frozen=True)
 class Split:
-    """Two sets of scenes that have none in common.
+    """Two sets of scenes that have none in common."""
 
-    Attributes:
-        training: places of the scenes to learn from, ascending.
-        held_out: places of the scenes kept back, ascending.
-    """
-
-    training: NDArray[np.int64]
-    held_out: NDArray[np.int64]
+    training: IntArray  # places of the scenes to learn from, ascending
+    held_out: IntArray  # places of the scenes that are kept back, ascending
 
 
 def split_scenes(prospects: Prospects, seed: int, held_out: float = HELD_OUT) -> Split:
     """Split the scenes in two, every family in the same proportion.
 
-    Of each family the share is rounded to whole scenes, at least one on either side.
+    The share of each family is rounded to whole scenes, with at least one on either side.
 
     Args:
         prospects: the scenes.

@@ -23,7 +23,7 @@ from learners import (
     study_scenes,
     telling_scenes,
 )
-from learners.studying.regrets import METADATA
+from learners.studying.table import METADATA
 from studio.arrays import FloatArray
 
 CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")

@@ -6,7 +6,7 @@ from typing import Any
 import pyarrow as pa
 
 from learners import STUDY_SCHEMA, CptParameters, Teacher
-from learners.studying.regrets import METADATA
+from learners.studying.table import METADATA
 from studio.recorder.contents import Contents
 from studio.study.recording import entities
 

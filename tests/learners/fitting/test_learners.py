@@ -1,6 +1,6 @@
 """What every learner keeps to, and how well each recovers what there is to learn."""
 
-from dataclasses import asdict, astuple, replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -17,7 +17,6 @@ from learners import (
     Prospects,
     Teacher,
     ask,
-    find_learners,
     fit_many,
     sample_pairs,
 )
@@ -40,7 +39,7 @@ def assert_sensible(fit, prospects):
     assert np.isfinite([fit.nll, fit.reference, fit.expected_decrease]).all()
     assert np.abs(fit.theta).max() < 5.0
     if fit.parameters is not None:
-        assert all(0.05 < number < 20.0 for number in astuple(fit.parameters))
+        assert all(0.05 < number < 20.0 for number in fit.parameters.numbers)
     assert fit.converged
 
 
@@ -185,13 +184,6 @@ def test_a_fit_does_not_depend_on_its_company(prospects, make):
         if order is not problems:
             fits = fits[::-1]
         assert all(same(one, other) for one, other in zip(alone, fits, strict=True))
-
-
-def test_find_by_name():
-    assert find_learners(["cpt-tied", "eu"]) == (CptLearner(tied=True), EuLearner())
-    assert [CptLearner(learns_reference=True).name] == ["cpt-reference"]
-    with pytest.raises(InputError, match=r"^learner 'me' is not allowed: eu, cpt, cpt-tied, "):
-        find_learners(["me"])
 
 
 def test_prospects_are_left_as_they_were(prospects):

@@ -1,4 +1,4 @@
-from dataclasses import astuple, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ def test_learners_are_about_as_precise(make):
     ]
     spread = np.std([fit.theta for fit in fits], axis=0, ddof=1)
     np.testing.assert_allclose(spread, expected.theta, rtol=0.4)
-    logs = np.log([astuple(fit.parameters) for fit in fits])
+    logs = np.log([fit.parameters.numbers for fit in fits])
     np.testing.assert_allclose(np.std(logs, axis=0, ddof=1), expected.log_parameters, rtol=0.4)
 
 

@@ -1,4 +1,4 @@
-from dataclasses import astuple
+from dataclasses import fields
 from types import SimpleNamespace
 
 import numpy as np
@@ -30,13 +30,12 @@ def autograd(features, theta, reference, parameters):
     """Values and slopes by way of the definition in `learners.judging.values`."""
 
     def values(theta, reference, logs):
-        names = ("alpha", "eta", "loss_aversion", "gamma", "delta")
+        names = [field.name for field in fields(CptParameters)]
         mind = SimpleNamespace(**dict(zip(names, logs.exp(), strict=True)))
         return prospect_value(torch.from_numpy(features) @ theta, mind, reference=reference)
 
     places = tuple(
-        torch.tensor(p, dtype=torch.float64)
-        for p in (theta, reference, np.log(astuple(parameters)))
+        torch.tensor(p, dtype=torch.float64) for p in (theta, reference, np.log(parameters.numbers))
     )
     slopes = torch.autograd.functional.jacobian(values, places)
     return values(*places).numpy(), *(slope.numpy() for slope in slopes)
@@ -62,7 +61,7 @@ def test_slopes_are_those_of_finite_differences(parameters):
     def values(z):
         return value_slopes(planes, z[:5], z[5], CptParameters(*np.exp(z[6:]))).values
 
-    z = np.concatenate([theta, [reference], np.log(astuple(parameters))])
+    z = np.concatenate([theta, [reference], np.log(parameters.numbers)])
     ours = value_slopes(planes, theta, reference, parameters)
     slopes = np.column_stack([ours.by_theta, ours.by_reference, ours.by_log_parameters])
     for place, slope in enumerate(slopes.T):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from learners import (
+    PARAMETER_COLUMNS,
     TEACHERS,
     attainable_precision,
     learning_curves,
@@ -15,13 +16,6 @@ from learners import (
 pytestmark = pytest.mark.slow
 
 SEEDS = 20
-PARAMETERS = {
-    "alpha": "alpha",
-    "eta": "eta",
-    "lambda": "loss_aversion",
-    "gamma": "gamma",
-    "delta": "delta",
-}
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +39,7 @@ def curve(table, teacher, learner, column="regret_percent"):
 
 
 def at(curve, pairs, field="mean"):
-    return getattr(curve, field)[curve.pairs.tolist().index(pairs)]
+    return getattr(curve.at(pairs), field)
 
 
 @pytest.mark.parametrize("learner", ["cpt", "cpt-tied"])
@@ -82,12 +76,12 @@ def test_the_direction_of_the_reward_is_found_as_well_as_it_can_be(table, bank, 
     assert found > (0.99 if teacher == "strong" else 0.98)
 
 
-@pytest.mark.parametrize("column", PARAMETERS)
+@pytest.mark.parametrize(("place", "column"), list(enumerate(PARAMETER_COLUMNS)))
 @pytest.mark.parametrize("teacher", TEACHERS)
-def test_parameters_are_found_within_what_choices_can_tell(table, bank, teacher, column):
+def test_parameters_are_found_within_what_choices_can_tell(table, bank, teacher, place, column):
     best = attainable_precision(TEACHERS[teacher], bank, 2000)
-    deviation = best.log_parameters[list(PARAMETERS).index(column)]
-    truth = getattr(TEACHERS[teacher].parameters, PARAMETERS[column])
+    deviation = best.log_parameters[place]
+    truth = TEACHERS[teacher].parameters.numbers[place]
     found = curve(table, teacher, "cpt", column)
     # the mean of 20 within three of its standard deviations, and a spread as wide as expected
     assert abs(np.log(at(found, 2000) / truth)) < 3.0 * deviation / np.sqrt(SEEDS) + 0.05

@@ -1,31 +1,22 @@
 import numpy as np
-import pyarrow as pa
+import pyarrow.compute as pc
 import pytest
 
-from learners import InputError, learning_curves, paired_differences
+from learners import TEACHERS, InputError, learning_curves, paired_differences
 from learners.studying.curves import mean_interval
+from tests.tables import study_table
 
-ROWS = [
-    {
-        "teacher": teacher,
-        "learner": learner,
-        "pairs": pairs,
-        "seed": seed,
+
+def columns(teacher, learner, pairs, seed):
+    return {
         "regret_percent": 100.0 / pairs + seed + (learner == "eu") * 2.0,
-        "alpha": None if learner == "eu" else 0.9,
         "theta_unit": [1.0 * seed, 2.0],
-        "converged": True,
     }
-    for teacher in ("tk", "eu")
-    for learner in ("eu", "cpt")
-    for pairs in (100, 25)
-    for seed in range(4)
-]
 
 
 @pytest.fixture
 def table():
-    return pa.Table.from_pylist(ROWS)
+    return study_table(columns, [TEACHERS["tk"], TEACHERS["eu"]], sizes=(100, 25), seeds=4)
 
 
 def test_curves_are_means_over_seeds_in_order(table):
@@ -51,9 +42,24 @@ def test_lists_and_missing_and_logical_columns(table):
     assert learning_curves(table, "converged")[0].mean.tolist() == [1.0, 1.0]
 
 
-def test_a_single_seed_has_no_spread():
-    curve = learning_curves(pa.Table.from_pylist(ROWS[:1]))[0]
+def test_a_single_seed_has_no_spread(table):
+    curve = learning_curves(table[:1])[0]
     assert (curve.std, curve.low, curve.high) == (0.0, curve.mean, curve.mean)
+
+
+def test_a_curve_answers_for_one_number_of_pairs(table):
+    there = learning_curves(table)[1].at(100)
+    assert (there.runs, there.mean) == (4, 2.5)
+    assert there.low < there.mean < there.high
+    assert learning_curves(table)[1].at(50) is None
+    assert learning_curves(table, "theta_unit")[0].at(25).mean.tolist() == [1.5, 2.0]
+
+
+def test_a_difference_answers_for_one_number_of_pairs(table):
+    there = paired_differences(table)[0].at(25)
+    assert (there.runs, there.difference, there.low, there.high) == (4, -2.0, -2.0, -2.0)
+    assert there.ratio == pytest.approx(5.5 / 7.5)
+    assert paired_differences(table)[0].at(50) is None
 
 
 def test_comparison_is_paired(table):
@@ -64,9 +70,8 @@ def test_comparison_is_paired(table):
 
 
 def test_comparison_uses_the_seeds_that_both_have(table):
-    fewer = pa.Table.from_pylist(
-        [row for row in ROWS if not (row["learner"] == "eu" and row["seed"] > 1)]
-    )
+    left_out = pc.and_(pc.equal(table["learner"], "eu"), pc.greater(table["seed"], 1))
+    fewer = table.filter(pc.invert(left_out))
     assert paired_differences(fewer)[0].runs.tolist() == [2, 2]
 
 

@@ -2,7 +2,6 @@ import json
 
 import numpy as np
 import pyarrow.compute as pc
-import pyarrow.parquet as pq
 import pytest
 
 from learners import (
@@ -30,22 +29,6 @@ def with_regrets(table, change):
     for row in rows:
         row["scene_regret"] = [change(row, scene) for scene in row["held_out_scenes"]]
     return table.from_pylist(rows, schema=table.schema)
-
-
-def test_scenes_are_told_as_the_teacher_sees_them(table, prospects):
-    scenes = study_scenes(table)
-    assert list(scenes) == prospects.scenes.tolist()
-    truth = TEACHERS["strong"].values(prospects.features)
-    for place, scene in enumerate(scenes.values()):
-        assert (scene.family, scene.pattern) == (prospects.families[place], "mixed")
-        assert scene.best["strong"] == prospects.actions[truth[place].argmax()]
-        cost = (truth[place].max() - truth[place]).mean()
-        assert scene.random_regret["strong"] == pytest.approx(cost)
-
-
-def test_scenes_survive_a_file(table, tmp_path):
-    pq.write_table(table, tmp_path / "learning.parquet")
-    assert study_scenes(pq.read_table(tmp_path / "learning.parquet")) == study_scenes(table)
 
 
 def test_what_was_picked_costs_what_is_said(table, prospects):
