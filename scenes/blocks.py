@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 
 from scenes import forces
+from scenes.crowd import Crowd
 from scenes.forces import Extended, HelbingMolnar
 
 LANES = 32
@@ -245,11 +246,7 @@ def walk_block(
     block: Block,
     lane_of: Any,
     rollout_of: Any,
-    starts: Any,
-    velocities: Any,
-    goals: Any,
-    desired_speeds: Any,
-    accelerations: Any,
+    crowd: Crowd,
     robots: Any,
     points: Any,
     wall_ends: Any,
@@ -262,23 +259,23 @@ def walk_block(
     paths: Any,
 ) -> None:
     """Simulate one block, which comes empty, and write the paths of its lanes."""
-    people, steps, agents = starts.shape[1], accelerations.shape[1], block.x.shape[0]
+    people, steps, agents = crowd.starts.shape[1], crowd.accelerations.shape[1], block.x.shape[0]
     fx, fy = np.empty((people, LANES)), np.empty((people, LANES))
     for i in range(people):
         for lane in range(LANES):
             k = rollout_of[lane]
-            block.x[i, lane] = starts[k, i, 0]
-            block.y[i, lane] = starts[k, i, 1]
-            block.vx[i, lane] = velocities[k, i, 0]
-            block.vy[i, lane] = velocities[k, i, 1]
-            block.goal_x[i, lane] = goals[k, i, 0]
-            block.goal_y[i, lane] = goals[k, i, 1]
-            block.desired_speed[i, lane] = desired_speeds[k, i]
-            block.max_speed[i, lane] = desired_speeds[k, i] * (
+            block.x[i, lane] = crowd.starts[k, i, 0]
+            block.y[i, lane] = crowd.starts[k, i, 1]
+            block.vx[i, lane] = crowd.velocities[k, i, 0]
+            block.vy[i, lane] = crowd.velocities[k, i, 1]
+            block.goal_x[i, lane] = crowd.goals[k, i, 0]
+            block.goal_y[i, lane] = crowd.goals[k, i, 1]
+            block.desired_speed[i, lane] = crowd.desired_speeds[k, i]
+            block.max_speed[i, lane] = crowd.desired_speeds[k, i] * (
                 1.0 if extended else forces.MAX_SPEED_FACTOR
             )
-            paths[lane_of[lane], 0, i, 0] = starts[k, i, 0]
-            paths[lane_of[lane], 0, i, 1] = starts[k, i, 1]
+            paths[lane_of[lane], 0, i, 0] = crowd.starts[k, i, 0]
+            paths[lane_of[lane], 0, i, 1] = crowd.starts[k, i, 1]
     for step in range(steps):
         for i in range(people, agents):
             for lane in range(LANES):
@@ -292,8 +289,8 @@ def walk_block(
         _face_goals(block, people)
         for i in range(people):
             for lane in range(LANES):
-                fx[i, lane] = accelerations[rollout_of[lane], step, i, 0]
-                fy[i, lane] = accelerations[rollout_of[lane], step, i, 1]
+                fx[i, lane] = crowd.accelerations[rollout_of[lane], step, i, 0]
+                fy[i, lane] = crowd.accelerations[rollout_of[lane], step, i, 1]
             if extended:
                 _add_extended(block, i, fx[i], fy[i], points, group_of, wrap, p)
             else:

@@ -212,7 +212,7 @@ def _some(rng: np.random.Generator, party: Along | Across, least: int, most: int
     return [party] * int(rng.integers(least, most, endpoint=True))
 
 
-# Who finds room
+# Room
 
 
 def gather(

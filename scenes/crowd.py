@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -16,9 +16,10 @@ WALL_POINTS_PER_METRE = 10.0
 """How many points stand for a metre of wall in the forces, 1/m (pysocialforce's resolution)."""
 
 
-@dataclass(frozen=True)
-class Crowd:
+class Crowd(NamedTuple):
     """How P people set out in each of K rollouts, and what shakes them over T steps.
+
+    It is a tuple because compiled code takes tuples.
 
     Attributes:
         starts: [K, P, 2], m.
@@ -33,11 +34,6 @@ class Crowd:
     goals: FloatArray
     desired_speeds: FloatArray
     accelerations: FloatArray
-
-    @property
-    def rollouts(self) -> int:
-        """K."""
-        return int(self.starts.shape[0])
 
     @property
     def people(self) -> int:

@@ -7,7 +7,7 @@ by luck. A longer horizon only adds to the end of the stream.
 """
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from statistics import NormalDist
 
 import numpy as np
@@ -117,7 +117,7 @@ def disturb(
     shake = noise.acceleration * math.sqrt(NOISE_STEP / dt) * (crowd.desired_speeds > 0.0)
     errors = _correlate(errors, dt, noise.robot_memory)
     return Disturbance(
-        crowd=replace(crowd, accelerations=shake[:, None, :, None] * fluctuations),
+        crowd=crowd._replace(accelerations=shake[:, None, :, None] * fluctuations),
         robot_speed=noise.robot_speed * errors[..., 0],
         robot_turn=noise.robot_turn * errors[..., 1],
     )

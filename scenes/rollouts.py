@@ -26,7 +26,7 @@ MOST_ROLLOUTS = 10_000
 """Most rollouts of one action."""
 
 MOST_POSITIONS = 100_000_000
-"""Most positions of people in one simulation; with all that is made of them they fill 5 GB."""
+"""Most positions of people in one simulation; with all they lead to, they fill about 5 GB."""
 
 LONGEST_HORIZON = 60.0
 """Longest simulated time, s: no robot holds one command for longer."""
@@ -42,11 +42,11 @@ class Rollouts:
         robot: [A, K, T+1, 3]: x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m: the same people under the same noise without the robot.
-        features: [A, K, 5], as `scenes.features.Outcomes` describes them, and so are the next four.
-        clearance_m: [A, K], m.
+        features: [A, K, 5], scaled, in the order of `FEATURES`.
+        clearance_m: [A, K], m; `scenes.features.Outcomes` says what this and the following are.
         deviation_m: [A, K], m.
         progress_m: [A, K], m.
-        contact_step: [A, K].
+        contact_step: [A, K], -1 without contact.
     """
 
     scene: Scene
