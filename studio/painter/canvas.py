@@ -187,49 +187,6 @@ class Canvas:
         """Fill a polygon given by its corners [N, 2]."""
         cv2.fillPoly(self.pixels, [self._fixed(points)], colour, cv2.LINE_AA, SHIFT)
 
-    def faint_paths(
-        self, paths: Sequence[FloatArray], colour: Colour, width: float, opacity: float
-    ) -> None:
-        """Draw translucent paths that grow darker where they overlap.
-
-        Where n paths cross, their joint opacity is 1 − (1 − opacity)^n, whatever their order; a
-        path that crosses itself counts once.
-
-        Args:
-            paths: each [N, 2], px.
-            colour: of all of them.
-            width: of the pen, px.
-            opacity: of one path, 0 to 1 (not included).
-        """
-        counts = np.zeros(self.pixels.shape[:2], np.float32)  # in 255ths of a path
-        thickness = pen(width)
-        for path in paths:
-            fixed = self._fixed(path)
-            rows, columns = self._touched(fixed, thickness)
-            part = counts[rows, columns]
-            if part.size:
-                mask = np.zeros(part.shape, np.uint8)
-                shift = np.array([columns.start, rows.start]) << SHIFT
-                cv2.polylines(mask, [fixed - shift], False, 255, thickness, cv2.LINE_AA, SHIFT)
-                cv2.accumulate(mask, part)
-        self._blend(counts, colour, opacity)
-
-    def _touched(self, fixed: NDArray[np.int32], pen: int) -> tuple[slice, slice]:
-        """Rows and columns of the canvas that a path may touch."""
-        height, width = self.pixels.shape[:2]
-        low = (fixed.min(axis=0) >> SHIFT) - pen - 1
-        high = (fixed.max(axis=0) >> SHIFT) + pen + 2
-        left, right = np.clip([low[0], high[0]], 0, width)
-        top, bottom = np.clip([low[1], high[1]], 0, height)
-        return slice(int(top), int(bottom)), slice(int(left), int(right))
-
-    def _blend(self, counts: NDArray[np.float32], colour: Colour, opacity: float) -> None:
-        covered_rows = np.flatnonzero(counts.any(axis=1))
-        if len(covered_rows):
-            rows = slice(covered_rows[0], covered_rows[-1] + 1)
-            shares = 1.0 - np.exp(counts[rows] * np.float32(np.log1p(-opacity) / 255.0))
-            self.pixels[rows] = tinted(self.pixels[rows], colour, shares)
-
     # Text
 
     def measure(self, text: str, size: int, weight: int = REGULAR) -> float:
