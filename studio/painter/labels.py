@@ -131,7 +131,9 @@ def place(
         halves.append(half)
         costs.append(np.where(leaves.any(axis=-1), math.inf, cost))
     return [
-        None if np.isnan(middle).any() else Box(*(middle - half).tolist(), *(middle + half).tolist())
+        None
+        if np.isnan(middle).any()
+        else Box(*(middle - half).tolist(), *(middle + half).tolist())
         for middle, half in zip(choose_places(middles, halves, costs), halves, strict=True)
     ]
 

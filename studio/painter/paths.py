@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import cv2
 import numpy as np
@@ -15,6 +16,12 @@ from studio.style.palette import Colour
 
 Part = tuple[slice, slice]
 """Rows and columns of a canvas."""
+
+
+SOFT_EDGE = (1.0, 3.0)
+"""How far OpenCV's soft edges reach beyond the pen, towards lower and higher coordinates, px."""
+
+_NARROW_EDGE = (1.0, 2.0 + 1.0 / 32.0)  # what still pictures have always shown
 
 
 @dataclass(frozen=True)
@@ -43,9 +50,19 @@ class FaintPaths:
         colour: of all paths.
         width: of the pen, px.
         opacity: of one path, 0 to 1 (not included).
+        fringe: how far beyond the pen paths are counted, before and after their points, px. Less
+            than `SOFT_EDGE` cuts off a hundredth of a path here and there.
     """
 
-    def __init__(self, canvas: Canvas, colour: Colour, width: float, opacity: float) -> None:
+    def __init__(
+        self,
+        canvas: Canvas,
+        colour: Colour,
+        width: float,
+        opacity: float,
+        fringe: tuple[float, float] = SOFT_EDGE,
+    ) -> None:
+        self._fringe = fringe
         self._corner = np.array([canvas.box.left, canvas.box.top])
         self._colour, self._pen = colour, pen(width)
         self._strength = np.float32(math.log1p(-opacity) / 255.0)
@@ -53,7 +70,7 @@ class FaintPaths:
 
     def traces(self, paths: FloatArray) -> list[Trace]:
         """Empty traces of whole paths [K, N, 2], px, which are to come piece by piece."""
-        return [_empty_trace(box) for box in self._touched(self._fixed(paths)).tolist()]
+        return [_empty_trace(box) for box in self._touched(paths).tolist()]
 
     def add(self, paths: FloatArray, traces: Sequence[Trace] | None = None) -> Part:
         """Add whole paths [K, N, 2], px, or the next piece of each path that has a trace.
@@ -62,7 +79,7 @@ class FaintPaths:
             The part of the canvas that looks different now.
         """
         fixed = self._fixed(paths)
-        touched = self._touched(fixed)
+        touched = self._touched(paths)
         for index, (line, box) in enumerate(zip(fixed, touched.tolist(), strict=True)):
             self._count(line, box, traces[index] if traces else _empty_trace(box))
         left, top = touched[:, :2].min(axis=0, initial=self._counts.size)
@@ -90,19 +107,21 @@ class FaintPaths:
     def _fixed(self, paths: FloatArray) -> NDArray[np.int32]:
         return fixed_point(paths - self._corner)
 
-    def _touched(self, fixed: NDArray[np.int32]) -> IntArray:
-        """What paths [K, N, 2] may touch of the canvas: left, top, right, bottom, [K, 4]."""
+    def _touched(self, paths: FloatArray) -> IntArray:
+        """What paths [K, N, 2], px, touch of the canvas: left, top, right, bottom, [K, 4]."""
+        local, (before, after) = paths - self._corner - 0.5, self._fringe
+        low = np.floor(local.min(axis=1) - self._pen - before)
+        high = np.floor(local.max(axis=1) + self._pen + after)
         limits = np.array(self._counts.shape[::-1])
-        low = (fixed.min(axis=1) >> SHIFT) - self._pen - 1
-        high = (fixed.max(axis=1) >> SHIFT) + self._pen + 2
-        return np.concatenate([np.clip(low, 0, limits), np.clip(high, 0, limits)], axis=-1)
+        ends = np.clip(np.concatenate([low, high], axis=-1), 0, np.tile(limits, 2))
+        return cast(IntArray, ends.astype(np.int64))
 
 
 def draw_faint_paths(
     canvas: Canvas, paths: FloatArray, colour: Colour, width: float, opacity: float
 ) -> None:
-    """Draw paths [K, N, 2], px; the other arguments are those of `FaintPaths`."""
-    faint = FaintPaths(canvas, colour, width, opacity)
+    """Draw paths [K, N, 2], px; colour, width and opacity are those of `FaintPaths`."""
+    faint = FaintPaths(canvas, colour, width, opacity, _NARROW_EDGE)
     part = faint.add(paths)
     canvas.pixels[part] = faint.over(canvas.pixels, part)
 
