@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from studio.errors import InputError
+
 Point = tuple[float, float]
 
 
@@ -17,12 +19,12 @@ class Box:
 
     @property
     def width(self) -> float:
-        """Width, px."""
+        """From left to right, px."""
         return self.right - self.left
 
     @property
     def height(self) -> float:
-        """Height, px."""
+        """From top to bottom, px."""
         return self.bottom - self.top
 
     @property
@@ -31,7 +33,7 @@ class Box:
         return (self.left + self.right) / 2, (self.top + self.bottom) / 2
 
     def inset(self, by: float) -> "Box":
-        """The box with every side moved in (out, if negative) by so many px."""
+        """The box with every side moved in, or out if `by` is negative, px."""
         return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
 
     def contains(self, other: "Box") -> bool:
@@ -72,3 +74,22 @@ def _cuts(
         cuts.append((start, start + share * unit))
         start += share * unit + gap
     return cuts
+
+
+def check_size(size: tuple[int, int], smallest: tuple[int, int], largest: int) -> None:
+    """Refuse pages and frames that are too small or too large.
+
+    Args:
+        size: width and height, px.
+        smallest: least width and least height, px.
+        largest: longest side, px.
+
+    Raises:
+        InputError: if a side is too short or too long.
+    """
+    (width, height), (least_width, least_height) = size, smallest
+    if not (least_width <= width <= largest and least_height <= height <= largest):
+        raise InputError(
+            f"size: {width}x{height} pixels is not allowed: at least "
+            f"{least_width}x{least_height} and at most {largest}x{largest}"
+        )

@@ -1,15 +1,18 @@
-"""The drawing basics: boxes, type, and a canvas with subpixel lines, discs and measured text.
+"""A canvas with lines and discs that lie between pixels, and with text that is measured.
 
-Every size is written in units of a page 1600 wide and 900 high and scaled to the canvas at hand,
-so that a drawing looks the same at 640x360 and at 3840x2160. Only type has a floor, below which
-nobody could read it; layouts therefore measure their text instead of assuming how big it is.
+Lengths that a drawing chooses are written in units of a page 1600 wide and 900 high and multiplied
+by `Canvas.unit`, so that it looks the same at 640x360 and at 3840x2160. Only type has a floor,
+below which nobody could read it; layouts therefore measure their text instead of assuming how big
+it is.
 
 Coordinates are pixels, x to the right, y down, and may be fractions: (0, 0) is the top left corner
 of the top left pixel. Pixels are red, green, blue.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from copy import copy
+from itertools import chain
 from pathlib import Path
 
 import cv2
@@ -17,8 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from studio.arrays import FloatArray, PixelArray
-from studio.errors import InputError
-from studio.painter.boxes import Box, Point
+from studio.painter.boxes import Box, Point, check_size
 from studio.painter.lettering import (
     ASCENT,
     CAPITAL_HEIGHT,
@@ -34,11 +36,11 @@ from studio.painter.pixels import FARTHEST, SHIFT, disc_coverage, fixed_point, p
 from studio.style.palette import Colour, Theme
 
 REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
-SMALLEST_WIDTH, SMALLEST_HEIGHT = 640, 360
-LARGEST_SIDE = 8192
+SMALLEST_SIZE, LARGEST_SIDE = (640, 360), 8192
+"""Of a canvas, px."""
 
 MARGIN, GAP = 36, 36
-"""Around a page and between its columns, in units of the reference page."""
+"""Around a page, and between its columns."""
 
 _SMALLEST_TYPE = 8  # px
 
@@ -53,8 +55,7 @@ class Canvas:
 
     Attributes:
         pixels: [height, width, 3] uint8, red, green, blue.
-        theme: the ground and the colours that go with it.
-        unit: px per unit of the 1600x900 reference page.
+        unit: of lengths on the page, px.
         type: sizes of type.
         texts: every text placed so far, in order.
 
@@ -63,13 +64,7 @@ class Canvas:
     """
 
     def __init__(self, width: int, height: int, theme: Theme) -> None:
-        if not (
-            SMALLEST_WIDTH <= width <= LARGEST_SIDE and SMALLEST_HEIGHT <= height <= LARGEST_SIDE
-        ):
-            raise InputError(
-                f"size: {width}x{height} pixels is not allowed: at least "
-                f"{SMALLEST_WIDTH}x{SMALLEST_HEIGHT} and at most {LARGEST_SIDE}x{LARGEST_SIDE}"
-            )
+        check_size((width, height), SMALLEST_SIZE, LARGEST_SIDE)
         self.pixels: PixelArray = np.empty((height, width, 3), np.uint8)
         self.pixels[:] = theme.ground
         self.theme = theme
@@ -106,8 +101,7 @@ class Canvas:
     def clipped(self, box: Box) -> "Canvas":
         """The same page, the same coordinates, but nothing is drawn outside of the box."""
         left, top = max(round(box.left), 0), max(round(box.top), 0)
-        part = object.__new__(Canvas)
-        part.__dict__.update(self.__dict__)
+        part = copy(self)
         x0, y0 = (round(value) for value in self._origin)
         part.pixels = self.pixels[
             top - y0 : round(box.bottom) - y0, left - x0 : round(box.right) - x0
@@ -117,8 +111,7 @@ class Canvas:
 
     def copy(self) -> "Canvas":
         """A page of its own that looks the same."""
-        twin = object.__new__(Canvas)
-        twin.__dict__.update(self.__dict__)
+        twin = copy(self)
         twin.pixels = self.pixels.copy()
         twin.texts = list(self.texts)
         twin._face = new_face()
@@ -141,18 +134,12 @@ class Canvas:
         """Fill a rectangle with round corners."""
         radius = min(radius, box.width / 2, box.height / 2)
         core = box.inset(radius)
-        corners = [
-            (core.right, core.bottom, 0.0),
-            (core.left, core.bottom, 90.0),
-            (core.left, core.top, 180.0),
-            (core.right, core.top, 270.0),
-        ]
-        angles = np.radians(np.linspace(0.0, 90.0, 9))
-        outline = [
-            (x + radius * np.cos(start + angles), y + radius * np.sin(start + angles))
-            for x, y, start in ((x, y, np.radians(degrees)) for x, y, degrees in corners)
-        ]
-        self.polygon(np.concatenate([np.stack(arc, axis=-1) for arc in outline]), colour)
+        x = np.array([core.right, core.left, core.left, core.right])[:, None]
+        y = np.array([core.bottom, core.bottom, core.top, core.top])[:, None]
+        starts = np.radians([0.0, 90.0, 180.0, 270.0])[:, None]
+        angles = starts + np.radians(np.linspace(0.0, 90.0, 9))
+        arcs = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=-1)
+        self.polygon(arcs.reshape(-1, 2), colour)
 
     def save(self, path: Path) -> None:
         """Write the canvas as a PNG file.
@@ -187,49 +174,6 @@ class Canvas:
         """Fill a polygon given by its corners [N, 2]."""
         cv2.fillPoly(self.pixels, [self._fixed(points)], colour, cv2.LINE_AA, SHIFT)
 
-    def faint_paths(
-        self, paths: Sequence[FloatArray], colour: Colour, width: float, opacity: float
-    ) -> None:
-        """Draw translucent paths that grow darker where they overlap.
-
-        Where n paths cross, their joint opacity is 1 − (1 − opacity)^n, whatever their order; a
-        path that crosses itself counts once.
-
-        Args:
-            paths: each [N, 2], px.
-            colour: of all of them.
-            width: of the pen, px.
-            opacity: of one path, 0 to 1 (not included).
-        """
-        counts = np.zeros(self.pixels.shape[:2], np.float32)  # in 255ths of a path
-        thickness = pen(width)
-        for path in paths:
-            fixed = self._fixed(path)
-            rows, columns = self._touched(fixed, thickness)
-            part = counts[rows, columns]
-            if part.size:
-                mask = np.zeros(part.shape, np.uint8)
-                shift = np.array([columns.start, rows.start]) << SHIFT
-                cv2.polylines(mask, [fixed - shift], False, 255, thickness, cv2.LINE_AA, SHIFT)
-                cv2.accumulate(mask, part)
-        self._blend(counts, colour, opacity)
-
-    def _touched(self, fixed: NDArray[np.int32], pen: int) -> tuple[slice, slice]:
-        """Rows and columns of the canvas that a path may touch."""
-        height, width = self.pixels.shape[:2]
-        low = (fixed.min(axis=0) >> SHIFT) - pen - 1
-        high = (fixed.max(axis=0) >> SHIFT) + pen + 2
-        left, right = np.clip([low[0], high[0]], 0, width)
-        top, bottom = np.clip([low[1], high[1]], 0, height)
-        return slice(int(top), int(bottom)), slice(int(left), int(right))
-
-    def _blend(self, counts: NDArray[np.float32], colour: Colour, opacity: float) -> None:
-        covered_rows = np.flatnonzero(counts.any(axis=1))
-        if len(covered_rows):
-            rows = slice(covered_rows[0], covered_rows[-1] + 1)
-            shares = 1.0 - np.exp(counts[rows] * np.float32(np.log1p(-opacity) / 255.0))
-            self.pixels[rows] = tinted(self.pixels[rows], colour, shares)
-
     # Text
 
     def measure(self, text: str, size: int, weight: int = REGULAR) -> float:
@@ -246,16 +190,12 @@ class Canvas:
         Returns:
             The text, perhaps ending in an ellipsis; empty if not even one letter fits.
         """
-        options = [candidates] if isinstance(candidates, str) else list(candidates)
-        options = [printable(option) for option in options]
-        for option in options:
-            if self.measure(option, size, weight) <= width:
-                return option
-        for length in range(len(options[-1]) - 1, 0, -1):
-            shorter = options[-1][:length].rstrip(" _·,") + ELLIPSIS
-            if self.measure(shorter, size, weight) <= width:
-                return shorter
-        return ""
+        options = [candidates] if isinstance(candidates, str) else candidates
+        wordings = [printable(option) for option in options]
+        last = wordings[-1]
+        lengths = range(len(last) - 1, 0, -1)
+        shorter = (last[:length].rstrip(" _·,") + ELLIPSIS for length in lengths)
+        return self._first_fitting(chain(wordings, shorter), width, size, weight)
 
     def abbreviated(self, name: str, width: float, size: int, weight: int = REGULAR) -> str:
         """A name, cut in the middle if it is wider than `width`: long names differ at their ends.
@@ -264,14 +204,14 @@ class Canvas:
             The name, perhaps with an ellipsis; empty if not even two letters fit.
         """
         name = printable(name)
-        if self.measure(name, size, weight) <= width:
-            return name
-        for kept in range(len(name) - 1, 1, -1):
-            head, tail = name[: kept - kept // 3], name[len(name) - kept // 3 :]
-            shorter = head.rstrip() + ELLIPSIS + tail.lstrip()
-            if self.measure(shorter, size, weight) <= width:
-                return shorter
-        return ""
+        shorter = (
+            name[: kept - kept // 3].rstrip() + ELLIPSIS + name[len(name) - kept // 3 :].lstrip()
+            for kept in range(len(name) - 1, 1, -1)
+        )
+        return self._first_fitting(chain([name], shorter), width, size, weight)
+
+    def _first_fitting(self, texts: Iterable[str], width: float, size: int, weight: int) -> str:
+        return next((text for text in texts if self.measure(text, size, weight) <= width), "")
 
     def wrapped(self, sentences: Sequence[str], width: float, size: int) -> list[str]:
         """Sentences one after another, broken into lines that are no wider than this, px."""
@@ -293,7 +233,7 @@ class Canvas:
         anchor: str = "left",
         line: str = "middle",
     ) -> Box:
-        """The box that `text` would take up, see there."""
+        """The box that a text would take up; the arguments are those of `text`."""
         width = self.measure(text, size, weight)
         left = round(at[0] - {"left": 0.0, "centre": 0.5, "right": 1.0}[anchor] * width)
         below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT, "bottom": -DESCENT}
@@ -317,7 +257,7 @@ class Canvas:
 
         Args:
             at: the point that the text is set by, px.
-            text: what to set.
+            text: letters that the face lacks are replaced, see `printable`.
             size: of type, px.
             colour: of the letters.
             weight: of type, 100 to 1000.
@@ -344,22 +284,18 @@ class Canvas:
         return box
 
     def _rim(self, origin: tuple[int, int], text: str, size: int, weight: int, rim: Colour) -> None:
-        height, width = self.pixels.shape[:2]
+        x, y = origin
         reach = max(2, round(size * 0.16))
-        left, right = origin[0] - reach, origin[0] + round(self.measure(text, size, weight)) + reach
-        top, bottom = origin[1] - size - reach, origin[1] + round(size * 0.3) + reach
-        left, right = max(left, 0), min(right, width)
-        top, bottom = max(top, 0), min(bottom, height)
-        if left >= right or top >= bottom:
-            return
-        mask = np.zeros((bottom - top, right - left), np.uint8)
-        start = (origin[0] - left, origin[1] - top)
-        cv2.putText(mask, text, start, (255,), self._face, size, weight)
-        brush = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
-        shares = (cv2.blur(cv2.dilate(mask, brush), (3, 3)) / 255.0).astype(np.float32)
-        self.pixels[top:bottom, left:right] = tinted(
-            self.pixels[top:bottom, left:right], rim, shares
-        )
+        left, top = max(x - reach, 0), max(y - size - reach, 0)
+        right = x + round(self.measure(text, size, weight)) + reach
+        bottom = y + round(size * 0.3) + reach
+        under = self.pixels[top : max(bottom, 0), left : max(right, 0)]
+        if under.size:
+            mask = np.zeros(under.shape[:2], np.uint8)
+            cv2.putText(mask, text, (x - left, y - top), (255,), self._face, size, weight)
+            brush = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+            shares = (cv2.blur(cv2.dilate(mask, brush), (3, 3)) / 255.0).astype(np.float32)
+            under[:] = tinted(under, rim, shares)
 
     def _fixed(self, points: ArrayLike) -> NDArray[np.int32]:
         return fixed_point(np.asarray(points, dtype=np.float64) - np.array(self._origin))

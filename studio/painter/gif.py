@@ -15,7 +15,8 @@ import numpy as np
 from av.filter import Graph
 
 from studio.arrays import PixelArray
-from studio.painter.segments import Progress, Segment, check_rate, check_sides
+from studio.painter.boxes import check_size
+from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
 
 LARGEST_GIF_SIDE = 1920
 """Of a frame, px."""
@@ -47,7 +48,7 @@ def write_gif(
         InputError: if the size or the number of frames is not allowed.
         OSError: if the file cannot be written.
     """
-    check_sides(size, LARGEST_GIF_SIDE)
+    check_size(size, SMALLEST_FRAME, LARGEST_GIF_SIDE)
     check_rate(frames_per_second, MOST_GIF_FRAMES)
     length = sum(segment.length for segment in segments)
 

@@ -2,16 +2,16 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 
-from studio.arrays import FloatArray
+from studio.arrays import BoolArray, FloatArray
 from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.style.palette import Colour
-from studio.style.places import spread_apart
+from studio.style.places import choose_places, places_around, spread_apart
 
 _DIRECTIONS = 24
 _RINGS = (
@@ -113,25 +113,29 @@ def place(
     part = canvas.clipped(area)
     away = np.abs(part.pixels.astype(np.int16) - np.array(ground, np.int16)).max(axis=-1) / 255.0
     ink, solid = _Ink(part, away), _Ink(part, (away > _SOLID).astype(np.float64))
-    places: list[Box | None] = []
+    middles, halves, costs = [], [], []
     for label in labels:
-        width = canvas.measure(label.text, label.size, label.weight) + 0.2 * label.size
-        taken = [box for box in places if box is not None]
-        candidates = [
-            (
-                cost
-                + _COST_OF_INK * ink.share(box)
-                + _COST_OF_SOLID_INK * solid.share(box)
-                + _COST_OF_COVERING * _covers(box, seen)
-                + _COST_OF_CONFUSION * _is_nearer_to_another(box, label, labels),
-                order,
-                box,
-            )
-            for order, (cost, box) in enumerate(_candidates(label, width, 1.15 * label.size))
-            if area.contains(box) and not any(box.overlaps(other) for other in taken)
-        ]
-        places.append(min(candidates)[2] if candidates else None)
-    return places
+        places, half, cost = _candidates(canvas, label)
+        boxes = np.concatenate([places - half, places + half], axis=-1)
+        own = _distances(boxes, label.near)
+        others = [_distances(boxes, other.near) for other in labels if other is not label]
+        cost = (
+            cost
+            + _COST_OF_INK * ink.shares(boxes)
+            + _COST_OF_SOLID_INK * solid.shares(boxes)
+            + _COST_OF_COVERING * _cover(boxes, seen)
+            + _COST_OF_CONFUSION * np.any([other < own for other in others], axis=0)
+        )
+        leaves = (boxes[:, :2] < astuple(area)[:2]) | (boxes[:, 2:] > astuple(area)[2:])
+        middles.append(places)
+        halves.append(half)
+        costs.append(np.where(leaves.any(axis=-1), math.inf, cost))
+    return [
+        None
+        if np.isnan(middle).any()
+        else Box(*(middle - half).tolist(), *(middle + half).tolist())
+        for middle, half in zip(choose_places(middles, halves, costs), halves, strict=True)
+    ]
 
 
 def end_labels(
@@ -160,34 +164,37 @@ def end_labels(
 
 def distance(box: Box, point: Point) -> float:
     """Distance from a point to the nearest point of a box, px; 0 inside."""
-    across = max(box.left - point[0], point[0] - box.right, 0.0)
-    down = max(box.top - point[1], point[1] - box.bottom, 0.0)
-    return math.hypot(across, down)
+    return float(_distances(np.array([astuple(box)]), point)[0])
 
 
-def _candidates(label: Label, width: float, height: float) -> list[tuple[float, Box]]:
-    """Boxes around the thing and what they cost for lying where they lie."""
+def _distances(boxes: FloatArray, point: Point) -> FloatArray:
+    """Distance from a point to the nearest point of each box [N, 4], px, [N]."""
+    beyond = np.maximum(boxes[:, :2] - point, point - boxes[:, 2:])
+    away: FloatArray = np.hypot(*np.maximum(beyond, 0.0).T)
+    return away
+
+
+def _candidates(canvas: Canvas, label: Label) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Where a label may lie around its thing.
+
+    Returns:
+        Its middle at each place [N, 2], half its size [2], px, and what each place costs for its
+        distance and its direction [N].
+    """
+    width = canvas.measure(label.text, label.size, label.weight) + 0.2 * label.size
+    height = 1.15 * label.size
     preferred = math.atan2(label.direction[1], label.direction[0])
-    found = []
-    for ring in _RINGS:
-        for turn in np.linspace(0.0, math.tau, _DIRECTIONS, endpoint=False).tolist():
-            # the box touches an oval around the thing from outside
-            away = label.reach + ring * height
-            x = label.near[0] + math.cos(preferred + turn) * (away + width / 2)
-            y = label.near[1] + math.sin(preferred + turn) * (away + height / 2)
-            box = Box(x - width / 2, y - height / 2, x + width / 2, y + height / 2)
-            found.append((ring + _COST_OF_TURNING * (1 - math.cos(turn)), box))
-    return found
+    turns = np.linspace(0.0, math.tau, _DIRECTIONS, endpoint=False)
+    half, distances = np.array([width, height]) / 2, label.reach + np.array(_RINGS) * height
+    places = places_around(np.array(label.near), half, distances, preferred + turns)
+    return places, half, np.add.outer(_RINGS, _COST_OF_TURNING * (1 - np.cos(turns))).ravel()
 
 
-def _covers(box: Box, points: FloatArray) -> bool:
-    x, y = points.T
-    return bool(((box.left < x) & (x < box.right) & (box.top < y) & (y < box.bottom)).any())
-
-
-def _is_nearer_to_another(box: Box, label: Label, labels: Sequence[Label]) -> bool:
-    own = distance(box, label.near)
-    return any(distance(box, other.near) < own for other in labels if other is not label)
+def _cover(boxes: FloatArray, points: FloatArray) -> BoolArray:
+    """Which boxes [N, 4] cover any of the points [M, 2], [N]."""
+    inside = (boxes[:, None, :2] < points) & (points < boxes[:, None, 2:])
+    covered: BoolArray = np.any(inside.all(axis=-1), axis=-1)
+    return covered
 
 
 class _Ink:
@@ -196,12 +203,16 @@ class _Ink:
     def __init__(self, canvas: Canvas, darkness: FloatArray) -> None:
         self._sums: FloatArray = np.zeros(np.add(darkness.shape, 1))
         self._sums[1:, 1:] = darkness.cumsum(axis=0).cumsum(axis=1)
-        self._left, self._top = canvas.box.left, canvas.box.top
+        self._corner = (canvas.box.left, canvas.box.top)
 
-    def share(self, box: Box) -> float:
-        """Mean darkness of the box, 0 (empty) to 1."""
-        bottom_most, right_most = (side - 1 for side in self._sums.shape)
-        x0, x1 = np.clip(np.rint([box.left, box.right]) - self._left, 0, right_most).astype(int)
-        y0, y1 = np.clip(np.rint([box.top, box.bottom]) - self._top, 0, bottom_most).astype(int)
+    def shares(self, boxes: FloatArray) -> FloatArray:
+        """Mean darkness of each box [N, 4], 0 (empty) to 1, [N]."""
+        sides = np.array(self._sums.shape[::-1]) - 1
+        low, high = (
+            np.clip(np.rint(corners) - self._corner, 0, sides).astype(int)
+            for corners in (boxes[:, :2], boxes[:, 2:])
+        )
+        (x0, y0), (x1, y1) = low.T, high.T
         total = self._sums[y1, x1] - self._sums[y0, x1] - self._sums[y1, x0] + self._sums[y0, x0]
-        return float(total) / max(1, int((x1 - x0) * (y1 - y0)))
+        darkness: FloatArray = total / np.maximum(1, (x1 - x0) * (y1 - y0))
+        return darkness

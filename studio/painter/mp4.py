@@ -23,7 +23,8 @@ from av.codec.context import Flags
 from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTrc
 
 from studio.errors import InputError
-from studio.painter.segments import Progress, Segment, check_rate, check_sides
+from studio.painter.boxes import check_size
+from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
 
 VideoPacket: TypeAlias = "av.Packet[av.VideoStream]"
 
@@ -73,7 +74,7 @@ def check_codec(codec: str) -> None:
 
 
 def check_film_size(size: tuple[int, int]) -> None:
-    """Refuse what cannot be encoded as MP4.
+    """Refuse sizes of frames that cannot be encoded as MP4.
 
     Raises:
         InputError: if the width or height is odd, for colours are stored for blocks of 2x2 pixels,
@@ -83,7 +84,7 @@ def check_film_size(size: tuple[int, int]) -> None:
         raise InputError(
             f"size: {size[0]}x{size[1]} pixels is not allowed: a film's width and height are even"
         )
-    check_sides(size, LARGEST_FILM_SIDE)
+    check_size(size, SMALLEST_FRAME, LARGEST_FILM_SIDE)
 
 
 def write_mp4(

@@ -9,8 +9,8 @@ from studio.errors import InputError
 Progress = Callable[[int, int], None]
 """Told how many frames are done, and of how many."""
 
-SMALLEST_SIDE = 64
-"""Of a frame, px."""
+SMALLEST_FRAME = (64, 64)
+"""Width and height, px."""
 
 
 @dataclass(frozen=True)
@@ -25,19 +25,6 @@ class Segment:
 
     length: int
     frames: Callable[[], Iterable[PixelArray]]
-
-
-def check_sides(size: tuple[int, int], largest: int) -> None:
-    """Refuse frames that are too small, or larger than a kind of file allows.
-
-    Raises:
-        InputError: if the width or height is below `SMALLEST_SIDE` or above `largest`, px.
-    """
-    if not all(SMALLEST_SIDE <= side <= largest for side in size):
-        raise InputError(
-            f"size: {size[0]}x{size[1]} pixels is not allowed: at least "
-            f"{SMALLEST_SIDE}x{SMALLEST_SIDE} and at most {largest}x{largest}"
-        )
 
 
 def check_rate(frames_per_second: int, most: int) -> None:

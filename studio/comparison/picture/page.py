@@ -18,6 +18,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import place
 from studio.painter.lettering import SEMIBOLD
+from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
 from studio.scene.picture.stage import (
     draw_goal,
@@ -180,7 +181,7 @@ def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     draw_walls(inside, view, rollouts.scene)
     # where little of what comes will lie, on either side
     busy, paths = inside.copy(), view.to_pixels(np.concatenate(rollouts.robot))
-    busy.faint_paths(list(paths), canvas.theme.ink, 2 * canvas.unit, 0.5)
+    draw_faint_paths(busy, paths, canvas.theme.ink, 2 * canvas.unit, 0.5)
     draw_people(busy, view, rollouts.scene.starts)
     goal = draw_goal(busy, view, rollouts.scene.robot.goal)
     label = goal_label(canvas, goal, (1.0, 0.0))

@@ -6,15 +6,12 @@ ones visible and the area between them empty (Padilla et al., "Effects of ensemb
 displays on interpretations of geospatial uncertainty data", Cognitive Research 2017).
 """
 
-import math
-
-import cv2
 import numpy as np
 
 from scenes import Rollouts
 from studio.arrays import FloatArray
 from studio.painter.canvas import Canvas
-from studio.painter.pixels import tinted
+from studio.painter.paths import FaintPaths
 from studio.painter.views import View
 from studio.scene.picture.crowd import between
 from studio.scene.picture.stage import (
@@ -26,6 +23,8 @@ from studio.scene.picture.stage import (
     overlap_opacity,
 )
 from studio.style.palette import Colour
+
+_NARROW_EDGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
 
 
 class OutcomeScene:
@@ -45,8 +44,9 @@ class OutcomeScene:
         self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[side]
         opacity = overlap_opacity(len(self._poses))
-        self._robots = _Paths(canvas, self._colour, opacity)
-        self._crowd = _Paths(canvas, canvas.theme.pedestrian, 0.35 * opacity)
+        pen = 2 * canvas.unit
+        self._robots = FaintPaths(canvas, self._colour, pen, opacity, _NARROW_EDGE)
+        self._crowd = FaintPaths(canvas, canvas.theme.pedestrian, pen, 0.35 * opacity, _NARROW_EDGE)
         self._ground = canvas.pixels.copy()
         self._seen = 0
         self._layer = self._ground
@@ -59,9 +59,7 @@ class OutcomeScene:
             self._crowd.add(self._view.to_pixels(people))
         self._seen = count
         canvas = self._canvas
-        canvas.pixels[:] = self._ground
-        self._crowd.draw(canvas)
-        self._robots.draw(canvas)
+        canvas.pixels[:] = self._robots.over(self._crowd.over(self._ground))
         touching = np.flatnonzero(self._contact_step[:count] >= 0)
         steps = self._contact_step[touching]
         draw_contacts(canvas, self._view, self._poses[touching, steps])
@@ -93,32 +91,3 @@ class OutcomeScene:
         # above people: who stands on the goal must not hide it
         draw_goal(self._canvas, self._view, self._scene.robot.goal)
         draw_robot(self._canvas, self._view, pose, colour)
-
-
-class _Paths:
-    """Faint paths that become more; where n of them cross their opacity is 1 − (1 − opacity)^n."""
-
-    def __init__(self, canvas: Canvas, colour: Colour, opacity: float) -> None:
-        self._corner = np.array([canvas.box.left, canvas.box.top])
-        self._pen = max(1, round(2 * canvas.unit))
-        self._colour = colour
-        self._strength = np.float32(math.log1p(-opacity) / 255.0)
-        self._counts = np.zeros(canvas.pixels.shape[:2], np.float32)  # in 255ths of a path
-
-    def add(self, paths: FloatArray) -> None:
-        """Add paths [N, points, 2], px of the page."""
-        limits = np.array(self._counts.shape[::-1])
-        for path in paths - self._corner - 0.5:
-            low = np.clip(np.floor(path.min(axis=0)).astype(int) - self._pen, 0, limits)
-            high = np.clip(np.ceil(path.max(axis=0)).astype(int) + self._pen + 1, 0, limits)
-            part = self._counts[low[1] : high[1], low[0] : high[0]]
-            if part.size:
-                mask = np.zeros(part.shape, np.uint8)
-                fixed = np.rint((path - low) * 16).astype(np.int32)
-                cv2.polylines(mask, [fixed], False, 255, self._pen, cv2.LINE_AA, 4)
-                cv2.accumulate(mask, part)
-
-    def draw(self, canvas: Canvas) -> None:
-        """Draw all paths so far over what the canvas shows."""
-        shares = 1.0 - cv2.exp(self._counts * self._strength)
-        canvas.pixels[:] = tinted(canvas.pixels, self._colour, shares)

@@ -11,6 +11,7 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, PixelArray
 from studio.painter.canvas import Canvas
+from studio.painter.paths import FaintPaths
 from studio.painter.pixels import disc_coverage, tinted
 from studio.painter.views import View
 from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
@@ -37,16 +38,9 @@ class Crowd:
         self._people = rollouts.pedestrians[index]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[index]
         opacity = overlap_opacity(len(self._poses))
-        corner = np.array([canvas.box.left, canvas.box.top])
-        self._corner = corner
+        self._corner = np.array([canvas.box.left, canvas.box.top])
         shape = canvas.pixels.shape[:2]
-        self._trails = Trails(
-            canvas.pixels,
-            view.to_pixels(self._poses) - corner,
-            self._colour,
-            max(1, round(2 * canvas.unit)),
-            opacity,
-        )
+        self._trails = Trails(canvas, view.to_pixels(self._poses), self._colour, opacity)
         person, robot = PEDESTRIAN_RADIUS * view.scale, ROBOT_RADIUS * view.scale
         self._ghost_people = Ghosts(shape, person, 0.5 * opacity)
         self._ghost_robots = Ghosts(shape, robot, opacity)
@@ -121,69 +115,28 @@ class Ghosts:
 
 
 class Trails:
-    """Faint paths that grow; where n of them cross their opacity is 1 − (1 − opacity)^n."""
+    """Faint paths that grow with time."""
 
-    def __init__(
-        self,
-        pixels: PixelArray,
-        paths: FloatArray,
-        colour: Colour,
-        pen: int,
-        opacity: float,
-    ) -> None:
-        self._ground, self._layer = pixels.copy(), pixels.copy()
-        self._paths, self._colour, self._pen = paths, colour, pen
-        self._strength = np.float32(math.log1p(-opacity) / 255.0)
-        self._counts = np.zeros(pixels.shape[:2], np.float32)  # in 255ths of a path
-        # what each path covers so far, so that a path that crosses itself counts once
-        low, high = paths.min(axis=1) - pen - 1, paths.max(axis=1) + pen + 2
-        limits = np.array(pixels.shape[1::-1])
-        self._corners = np.clip(np.floor(low), 0, limits).astype(int)  # (K, 2)
-        self._sides = np.clip(np.ceil(high), 0, limits).astype(int) - self._corners
-        self._masks = [np.zeros((height, width), np.uint8) for width, height in self._sides]
-        self._step = 0.0
+    def __init__(self, canvas: Canvas, paths: FloatArray, colour: Colour, opacity: float) -> None:
+        """Take the whole paths [K, T+1, 2], px of the page."""
+        self._ground, self._layer = canvas.pixels.copy(), canvas.pixels.copy()
+        self._paths, self._step = paths, 0.0
+        self._faint = FaintPaths(canvas, colour, 2 * canvas.unit, opacity)
+        self._traces = self._faint.traces(paths)
 
     def drawn_to(self, step: float) -> PixelArray:
         """The ground with the paths up to a step, which must not go back."""
-        if step <= self._step:
-            return self._layer
-        passed = range(math.floor(self._step) + 1, math.ceil(step))
-        points = np.stack(
-            [
-                between(self._paths, self._step),
-                *(self._paths[:, index] for index in passed),
-                between(self._paths, step),
-            ],
-            axis=1,
-        )  # (K, points, 2)
-        self._step = step
-        # the part of each path's mask that its new piece may touch
-        low = np.floor(points.min(axis=1)).astype(int) - self._pen - 1
-        high = np.ceil(points.max(axis=1)).astype(int) + self._pen + 2
-        starts = np.minimum(np.maximum(low - self._corners, 0), self._sides)
-        ends = np.minimum(np.maximum(high - self._corners, 0), self._sides)
-        local = points - (self._corners + starts)[:, None] - 0.5
-        fixed = np.rint(local * 16).astype(np.int32)
-        parts = np.concatenate([starts, ends, self._corners], axis=-1).tolist()
-        for mask, line, part in zip(self._masks, fixed, parts, strict=True):
-            self._add(mask, line, part)
-        self._blend(low.min(axis=0), high.max(axis=0))
+        if step > self._step:
+            passed = range(math.floor(self._step) + 1, math.ceil(step))
+            points = np.stack(
+                [
+                    between(self._paths, self._step),
+                    *(self._paths[:, index] for index in passed),
+                    between(self._paths, step),
+                ],
+                axis=1,
+            )  # (K, points, 2)
+            self._step = step
+            part = self._faint.add(points, self._traces)
+            self._layer[part] = self._faint.over(self._ground, part)
         return self._layer
-
-    def _add(self, mask: PixelArray, line: NDArray[np.int32], part: list[int]) -> None:
-        """Add a piece of a path, within a part of its mask, to the counts."""
-        left, top, right, bottom, x, y = part
-        covered = mask[top:bottom, left:right]
-        if covered.size:
-            before = covered.copy()
-            cv2.polylines(covered, [line], False, 255, self._pen, cv2.LINE_AA, 4)
-            counts = self._counts[y + top : y + bottom, x + left : x + right]
-            cv2.accumulate(cv2.subtract(covered, before), counts)
-
-    def _blend(self, low: NDArray[np.int_], high: NDArray[np.int_]) -> None:
-        limits = self._counts.shape[1::-1]
-        (left, top), (right, bottom) = np.clip(low, 0, limits), np.clip(high, 0, limits)
-        if left < right and top < bottom:
-            kept = cv2.exp(self._counts[top:bottom, left:right] * self._strength)
-            ground = self._ground[top:bottom, left:right]
-            self._layer[top:bottom, left:right] = tinted(ground, self._colour, 1.0 - kept)

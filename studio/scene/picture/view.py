@@ -12,6 +12,7 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, draw_labels
 from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.stage import (
@@ -50,16 +51,16 @@ def draw_scene(
     view = view_of(rollouts, panel)
     inside = canvas.clipped(panel)
     count = rollouts.count
-    opacity, pen = overlap_opacity(count), max(1.0, 2 * unit)
+    opacity, pen = overlap_opacity(count), 2 * unit
 
     theme = canvas.theme
     colours = [theme.action_colour(name) for name in rollouts.names]
     draw_ground(inside, view)
     grey = blend(theme.pedestrian, theme.panel, 0.8)
     people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
-    inside.faint_paths(list(view.to_pixels(people)), grey, pen, 0.6 * opacity)
+    draw_faint_paths(inside, view.to_pixels(people), grey, pen, 0.6 * opacity)
     for index, paths in enumerate(rollouts.robot):
-        inside.faint_paths(list(view.to_pixels(paths)), colours[index], pen, opacity)
+        draw_faint_paths(inside, view.to_pixels(paths), colours[index], pen, opacity)
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from studio.arrays import Bounds, FloatArray
+from studio.style.places import choose_places, places_around
 
 VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0
 """Of the view of the world in a viewer that is 1280 pixels wide and 800 high, px."""
@@ -98,9 +99,7 @@ def label_places(
     for index, (half, end) in enumerate(zip(halves, ends, strict=True)):
         along = end - ways[index, :, 0].mean(axis=0)
         turned = np.arctan2(along[1], along[0]) + angles
-        ahead = np.stack([np.cos(turned), np.sin(turned)], axis=-1)
-        reach = half + np.array(DISTANCES)[:, None, None] * height
-        middles = (end + ahead * reach).reshape(-1, 2)
+        middles = places_around(end, half, np.array(DISTANCES) * height, turned)
         away = np.repeat(DISTANCES, DIRECTIONS)
         turning = np.tile(1.0 - np.cos(angles), len(DISTANCES)) / 2.0
         is_hidden = np.all(np.abs(traces - middles[:, None]) <= half, axis=-1)
@@ -111,15 +110,7 @@ def label_places(
         cost += FORBIDDEN * is_outside + MISLEADING * is_misleading(middles, half, ends, index)
         candidates.append(middles)
         costs.append(cost)
-    places: dict[int, FloatArray] = {}
-    for index in [*range(len(labels))] * ROUNDS:
-        overlaps = np.zeros(len(costs[index]))
-        for other, place in places.items():
-            reach = halves[index] + halves[other]
-            if other != index:
-                overlaps += np.all(np.abs(candidates[index] - place) < reach, axis=-1)
-        places[index] = candidates[index][(costs[index] + FORBIDDEN * overlaps).argmin()]
-    return np.stack([places[index] for index in range(len(labels))])
+    return choose_places(candidates, halves, costs, FORBIDDEN, ROUNDS)
 
 
 def is_misleading(

@@ -22,6 +22,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import dashed_path, dot
+from studio.painter.paths import draw_faint_paths
 from studio.study.picture.results import (
     PARAMETERS,
     Results,
@@ -137,7 +138,7 @@ def _draw_shape(
         tint = blend(colour, canvas.theme.panel, shade)
         if len(lines) > _FEW_SEEDS:
             # where many lines meet is where the learner mostly ends up
-            part.faint_paths(lines, tint, unit, 0.4)
+            draw_faint_paths(part, np.array(lines), tint, unit, 0.4)
             continue
         for line in lines:
             part.line(line, tint, unit)

@@ -12,6 +12,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, distance, place
 from studio.painter.marks import draw_icons
+from studio.painter.paths import draw_faint_paths
 from studio.painter.pixels import disc_coverage
 from studio.painter.views import View
 from studio.style.palette import LIGHT
@@ -64,28 +65,6 @@ def test_lines_are_drawn_between_pixels():
     assert (thin.pixels[100, 60:240] < 30).all()
     assert (shifted.pixels[100:102, 60:240] > 30).all()
     assert (shifted.pixels[100:102, 60:240] < 225).all()
-
-
-@pytest.mark.parametrize("count", [1, 2, 5, 50])
-def test_overlapping_faint_paths_grow_darker_as_if_laid_on_one_another(count):
-    canvas = a_canvas()
-    path = np.array([[50.0, 100.5], [250.0, 100.5]])
-    canvas.faint_paths([path] * count, BLACK, 5.0, 0.08)
-    expected = 255.0 * (1.0 - 0.08) ** count
-    assert canvas.pixels[100, 150, 0] == pytest.approx(expected, abs=1.5)
-
-
-def test_a_path_that_runs_back_over_itself_counts_once():
-    canvas = a_canvas()
-    there_and_back = np.array([[50.0, 100.5], [250.0, 100.5], [50.0, 100.5]])
-    canvas.faint_paths([there_and_back], BLACK, 5.0, 0.5)
-    assert canvas.pixels[100, 150, 0] == pytest.approx(127.5, abs=1.5)
-
-
-def test_paths_outside_of_the_page_leave_it_empty():
-    canvas = a_canvas()
-    canvas.faint_paths([np.array([[-500.0, -500.0], [-100.0, -9e9]])], BLACK, 5.0, 0.5)
-    assert ink(canvas) == 0.0
 
 
 @pytest.mark.parametrize("anchor", ["left", "centre", "right"])
@@ -156,7 +135,7 @@ def test_nothing_is_drawn_outside_of_a_clip():
     part = canvas.clipped(Box(100.0, 100.0, 200.0, 200.0))
     part.disc((100.0, 150.0), 30.0, BLACK)
     part.line([(0.0, 110.0), (640.0, 110.0)], BLACK, 3.0)
-    part.faint_paths([np.array([[0.0, 190.0], [640.0, 190.0]])], BLACK, 3.0, 0.9)
+    draw_faint_paths(part, np.array([[[0.0, 190.0], [640.0, 190.0]]]), BLACK, 3.0, 0.9)
     part.text((90.0, 170.0), "across the edge of the clip", 16, BLACK)
     assert ink(part) > 1000.0
     assert ink(canvas) == ink(part)

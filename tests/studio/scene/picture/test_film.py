@@ -7,6 +7,8 @@ import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, simulate
 from studio.errors import InputError
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
 from studio.painter.mp4 import write_mp4
 from studio.scene.judgements import judge
 from studio.scene.picture.crowd import Ghosts, Trails
@@ -172,14 +174,14 @@ def test_ghosts_that_overlap_grow_darker_and_those_out_of_view_are_left_out():
 
 
 def test_trails_drawn_bit_by_bit_are_as_dark_as_drawn_at_once():
-    ground = np.full((100, 200, 3), 255, np.uint8)
+    canvas = Canvas(3200, 1800, LIGHT).clipped(Box(0.0, 0.0, 200.0, 100.0))
     paths = np.stack([np.linspace(20.0, 180.0, 11), np.linspace(30.0, 70.0, 11)], axis=-1)[
         None
     ].repeat(3, axis=0)
-    slowly = Trails(ground, paths, (0, 0, 0), 4, 0.3)
+    slowly = Trails(canvas, paths, (0, 0, 0), 0.3)
     for step in np.linspace(0.0, 10.0, 40):
         bit_by_bit = slowly.drawn_to(step)
-    at_once = Trails(ground, paths, (0, 0, 0), 4, 0.3).drawn_to(10.0)
+    at_once = Trails(canvas, paths, (0, 0, 0), 0.3).drawn_to(10.0)
     assert np.abs(bit_by_bit.astype(int) - at_once).mean() < 0.5
     assert bit_by_bit[50, 100, 0] == pytest.approx(255 * 0.7**3, abs=2)
 
