@@ -1,7 +1,7 @@
 """What recordings are made into: still pictures and films, painted from the recording alone."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow.compute as pc
@@ -18,7 +18,7 @@ from studio.scene.picture import page as picture
 from studio.scene.picture.film import compose_film
 from studio.scene.picture.page import compose_picture
 from studio.scene.recording.read import SceneRecording
-from studio.scene.selection import only
+from studio.scene.selection import only, places_of
 from studio.study.picture import page as learning
 from studio.study.picture.film import compose_learning_film
 from studio.study.picture.page import compose_learning_picture
@@ -206,15 +206,9 @@ def _with_actions(recording: SceneRecording, names: tuple[str, ...]) -> SceneRec
     """The recording as if these were all of its actions."""
     if not names:
         return recording
-    known = recording.rollouts.names
     rollouts = only(recording.rollouts, names)
-    places = [known.index(name) for name in names]
-    judgements = tuple(
-        replace(
-            judgement, values=judgement.values[places], best=int(judgement.values[places].argmax())
-        )
-        for judgement in recording.judgements
-    )
+    places = places_of(names, recording.rollouts.names)
+    judgements = tuple(judgement.of(places) for judgement in recording.judgements)
     return SceneRecording(rollouts, judgements)
 
 

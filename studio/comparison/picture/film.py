@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import FloatArray, PixelArray
-from studio.comparison.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
+from studio.comparison.comparison import CLOSING, MOVING, OPENING, Comparison, seconds_each
 from studio.comparison.picture.page import Page, Show, compose_comparison_picture, lay_out
 from studio.errors import InputError
 from studio.painter.canvas import Canvas
@@ -54,7 +54,7 @@ def compose_comparison_film(
         raise InputError(
             f"--from, --to: outcomes {first:g} to {last:g} are not allowed: within 1 to {count}"
         )
-    opening, ending = round(OPENING * frames_per_second), round(ENDING * frames_per_second)
+    opening, ending = round(OPENING * frames_per_second), round(CLOSING * frames_per_second)
 
     def at_rest() -> Iterator[PixelArray]:
         pixels = rest(page).pixels

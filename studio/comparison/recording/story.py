@@ -12,25 +12,25 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
-from studio.comparison.comparison import ENDING, MOVING, OPENING, seconds_each
+from studio.arrays import FloatArray, IntArray
+from studio.comparison.comparison import CLOSING, MOVING, OPENING, seconds_each
 from studio.scene.recording import entities
-from studio.scene.recording.world import (
+from studio.scene.recording.moving import (
     CONTACT_CLASS,
-    PATH_STRIDE,
     arrowheads,
-    bar_style,
     crosses,
-    group_bars,
+    has_touched,
+    log_people,
+    path_corners,
     rounded,
-    strips,
 )
 from studio.style.palette import Theme, blend
 
 Number = TypeVar("Number", bound=np.generic)
 
 POSES = 20
-"""So many poses of an outcome are shown after its first; more would follow one another too fast."""
+"""How many poses of an outcome are shown after its first; more would follow one another too fast.
+"""
 
 
 def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -51,8 +51,7 @@ def log_moving_robot(
     robot = rollouts.scene.robot
     rest = np.array([*robot.start, robot.start_heading])
     poses = with_rest(rollouts.robot[side, :, steps].swapaxes(0, 1).reshape(-1, 3), rest)
-    contact_step = rollouts.contact_step[side, :, None]
-    touched = with_rest(((contact_step >= 0) & (steps >= contact_step)).ravel(), np.array(False))
+    touched = with_rest(has_touched(rollouts, side, steps).T.ravel(), np.array(False))
     places = rounded(poses[:, :2])
     body = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
     stream.log(f"{path}/robot", body, static=True)
@@ -90,34 +89,26 @@ def log_moving_people(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Show the people, and bars that join those of a group."""
-    path = f"{entities.story(rollouts.names[side])}/pedestrians"
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
-    places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
-    style = rr.Points2D.from_fields(
+    look = rr.Points2D.from_fields(
         radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
     )
-    look: list[rr.AsComponents] = [style]
-    moving = [
-        *rr.Points2D.columns(positions=rounded(places).reshape(-1, 2)).partition(
-            [places.shape[1]] * len(places)
-        )
-    ]
-    if rollouts.scene.groups:
-        bars = group_bars(rounded(places), rollouts.scene.groups)  # (moments, bars, 2, 2)
-        look.append(bar_style(theme))
-        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
-            [bars.shape[1]] * len(bars)
-        )
-    stream.log(path, *look, static=True)
-    stream.send_columns(path, [moments(rollouts)], moving)
+    log_people(
+        stream,
+        f"{entities.story(rollouts.names[side])}/pedestrians",
+        [moments(rollouts)],
+        with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts),
+        rollouts.scene.groups,
+        look,
+        theme,
+    )
 
 
 def log_gathering_paths(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Leave the path of each outcome behind when it ends, with a red cross if there was contact."""
-    name, last = rollouts.names[side], rollouts.steps
-    corners = np.unique([*range(0, last, PATH_STRIDE), last])
+    name, corners = rollouts.names[side], path_corners(rollouts)
     robot, contact_step = rounded(rollouts.robot[side, ..., :2]), rollouts.contact_step[side]
     faint = blend(theme.action_colour(name), theme.panel, 0.45)
     strips, colours, lengths = [], [], []
@@ -135,8 +126,8 @@ def log_gathering_paths(
     )
 
 
-def shown_steps(rollouts: Rollouts) -> NDArray[np.int64]:
-    """The steps of an outcome that are shown: all, or as many as there are poses."""
+def shown_steps(rollouts: Rollouts) -> IntArray:
+    """The steps of an outcome that are shown: all, or evenly spaced ones where there are many."""
     last = rollouts.steps
     return np.unique(np.rint(np.linspace(0, last, min(last, POSES) + 1)).astype(np.int64))
 
@@ -151,12 +142,12 @@ def moments(rollouts: Rollouts) -> rr.TimeColumn:
     shares = MOVING * shown_steps(rollouts) / last
     playing = OPENING + each * (np.arange(count)[:, None] + shares)
     over = OPENING + each * count
-    times = np.concatenate([[0.0], playing.ravel(), [over, over + ENDING]])
+    times = np.concatenate([[0.0], playing.ravel(), [over, over + CLOSING]])
     return story_times(times)
 
 
 def ends(count: int) -> FloatArray:
-    """When each of so many outcomes comes to its end, s of the story."""
+    """When each of K outcomes comes to its end, [K], s of the story."""
     places = np.arange(count, dtype=np.float64)
     times: FloatArray = OPENING + seconds_each(count) * (places + MOVING)
     return times
@@ -168,5 +159,5 @@ def story_times(seconds: FloatArray) -> rr.TimeColumn:
 
 
 def with_rest(rows: NDArray[Number], rest: NDArray[Number]) -> NDArray[Number]:
-    """The rows of all shown steps between one row of rest and two, as `moments` has them."""
+    """A row for each of the `moments`: one of rest, those of all shown steps, and two of rest."""
     return np.concatenate([rest[None], rows, rest[None], rest[None]])

@@ -12,8 +12,9 @@ import rerun.blueprint as rrb
 from scenes import Rollouts
 from studio.scene.framing import Bounds
 from studio.scene.recording import entities
+from studio.scene.recording.action_table import action_table_bounds
+from studio.scene.recording.distributions import distributions_bounds
 from studio.scene.recording.minds import curves_bounds
-from studio.scene.recording.outcomes import comparison_bounds, distributions_bounds
 from studio.scene.recording.prospects import prospects_bounds
 from studio.scene.recording.ranks import ranks_bounds
 from studio.style.palette import LIGHT
@@ -27,7 +28,7 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
     """The tabs of a recording: overview, one an action, prospects, minds, about."""
     return rrb.Blueprint(
         rrb.Tabs(
-            overview_tab(rollouts, teachers, bounds),
+            scene_overview(rollouts, teachers, bounds),
             *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
             prospects_tab(rollouts, teachers),
             minds_tab(rollouts, teachers),
@@ -43,7 +44,7 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
     )
 
 
-def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
+def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
     """All actions in one world, what came of them, and what the teachers make of it."""
     names = rollouts.names
     contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
@@ -52,12 +53,12 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
     return rrb.Horizontal(
         rrb.Vertical(
             world_view(contents, bounds, title),
-            comparison_view(rollouts, teachers),
+            action_table_view(rollouts, teachers),
             row_shares=[3, 2],
         ),
         rrb.Vertical(
             page_view(entities.SUMMARY, "Summary"),
-            *([clearance_view()] if rollouts.scene.pedestrians else []),
+            *([gap_view()] if rollouts.scene.pedestrians else []),
             row_shares=[5, 2] if rollouts.scene.pedestrians else [1],
         ),
         column_shares=[5, 3],
@@ -86,7 +87,7 @@ def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
 def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     """The outcomes of all actions side by side, and how much each counts to the teachers."""
     return rrb.Vertical(
-        comparison_view(rollouts, teachers),
+        action_table_view(rollouts, teachers),
         figure_view(
             entities.PROSPECTS,
             prospects_bounds(rollouts.names),
@@ -135,10 +136,10 @@ def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
     return drawn_view([*fixed, *contents], bounds, title)
 
 
-def comparison_view(rollouts: Rollouts, teachers: int) -> rrb.View:
-    """The table that compares all actions."""
+def action_table_view(rollouts: Rollouts, teachers: int) -> rrb.View:
+    """The action table."""
     title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
-    return figure_view(entities.COMPARISON, comparison_bounds(rollouts, teachers), title)
+    return figure_view(entities.ACTION_TABLE, action_table_bounds(rollouts, teachers), title)
 
 
 def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
@@ -169,10 +170,10 @@ def drawn_view(
     )
 
 
-def clearance_view() -> rrb.View:
-    """Median clearance over time under every action."""
+def gap_view() -> rrb.View:
+    """The median gap to the nearest person over time under every action."""
     return rrb.TimeSeriesView(
-        origin=f"/{entities.CLEARANCE}",
+        origin=f"/{entities.GAP}",
         name="median gap to the nearest person, m (colours as on the left)",
         plot_legend=rrb.PlotLegend(visible=False),
         # Rerun's grid is black on light ground

@@ -31,8 +31,9 @@ from scenes import (
 )
 from studio.recorder.stream import recording_to
 from studio.scene.judgements import Judgement, judge, utilities
-from studio.scene.recording.outcomes import bin_edges
-from studio.scene.recording.pages import disagreements_page, summary_page
+from studio.scene.measures import Measure
+from studio.scene.recording.distributions import bin_edges
+from studio.scene.recording.pages import disagreements_page, scene_summary
 from studio.scene.recording.write import SCHEMA_VERSION, write_recording
 from studio.style.palette import ACTION_COLOURS, LIGHT
 
@@ -264,13 +265,13 @@ def test_ranks_are_those_of_the_values(recording: Path, rollouts: Rollouts) -> N
 def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts) -> None:
     eu, tk, _ = judge(rollouts)
     eu, tk = (
-        replace(eu, values=np.array([0.3, 0.1]), best=0),
-        replace(tk, values=np.array([0.1, 0.35]), best=1),
+        replace(eu, values=np.array([0.3, 0.1])),
+        replace(tk, values=np.array([0.1, 0.35])),
     )
     page = disagreements_page(rollouts, (eu, tk))
     assert "| EU, T&K | 1 | 0.250 |" in page
     assert "| EU prefers | T&K prefers |" in page
-    assert "EU and T&K [order](recording://figures/ranks) 1 of 1" in summary_page(
+    assert "EU and T&K [order](<recording://figures/ranks>) 1 of 1" in scene_summary(
         rollouts, (eu, tk)
     )
     assert "prefers" not in disagreements_page(rollouts, (eu, eu))
@@ -279,7 +280,7 @@ def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts
 
 def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
     eu, *_ = judge(rollouts)
-    page = summary_page(rollouts, (eu, replace(eu, teacher="my aunt")))
+    page = scene_summary(rollouts, (eu, replace(eu, teacher="my aunt")))
     assert "EU goes by the mean utility; V, under their names, is" in page
     assert "my aunt goes" not in page
 
@@ -473,7 +474,7 @@ def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(tmp_path: Pa
 
 def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
     first = judge(rollouts)[0]
-    own = Judgement("my aunt", first.parameters, first.values, first.best)
+    own = Judgement("my aunt", first.parameters, first.values)
     write_recording(tmp_path / "test.rrd", rollouts, (own,))
     assert "my aunt" in read(tmp_path / "test.rrd")["/judgements"]
 
@@ -483,7 +484,7 @@ def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path
     [([0.0, 1.0], 0.05), ([-3.2, 4.0], 0.2), ([2.0 + 1e-12, 0.5], 0.1), ([0.0, 0.0], 0.05)],
 )
 def test_bins_are_round_and_hold_every_outcome(values: list[float], width: float) -> None:
-    edges = bin_edges("progress, m", np.array(values))
+    edges = bin_edges(Measure("progress", "m", np.array(values)))
     counts, _ = np.histogram(values, edges)
     assert counts.sum() == len(values)
     np.testing.assert_allclose(np.diff(edges), width)
@@ -492,5 +493,5 @@ def test_bins_are_round_and_hold_every_outcome(values: list[float], width: float
 
 @pytest.mark.parametrize(("most", "last"), [(0.0, 2.5), (4.0, 4.5)])
 def test_bins_of_collisions_reach_as_far_as_there_are_any(most: float, last: float) -> None:
-    edges = bin_edges("collisions", np.array([0.0, most]))
+    edges = bin_edges(Measure("collisions", "", np.array([0.0, most])))
     np.testing.assert_allclose(edges, np.arange(-0.5, last + 1.0), atol=1e-6)
