@@ -69,16 +69,10 @@ def check_two(one: str, other: str, known: Sequence[str]) -> None:
 
 
 def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparison:
-    """Put two actions side by side.
+    """Put two actions of a scene side by side.
 
     Which one comes to the left is random, so that no preference for a side passes for one for an
     action. It depends on the seed and on the two names, whichever of them is given first.
-
-    Args:
-        rollouts: of the scene under all its actions.
-        one: name of an action.
-        other: name of another.
-        seed: of the choice of sides.
 
     Raises:
         InputError: if there is no such action, both are the same, or the seed is not allowed.

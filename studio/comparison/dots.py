@@ -21,20 +21,20 @@ from studio.arrays import FloatArray
 from studio.style.ticks import round_range
 
 BINS = 24
-"""Of a dot plot."""
+"""How many bins a dot plot has."""
 
 APART = 2
-"""So many bins at the left of a dot plot set its lowest value apart: its own, and an empty one."""
+"""How many bins at the left set the lowest value apart: one of its own, and an empty one."""
 
 DOT_RADIUS = 0.42
-"""Of a dot, in pitches; a pitch is the distance from one dot to the next."""
+"""Radius of a dot in pitches; a pitch is the distance from one dot to the next."""
 
 MOST_ROWS = 100
-"""Of dots in an icon array, and of dots abreast in a bin."""
+"""How many rows of dots an icon array has at most, and how many dots stand abreast in a bin."""
 
 
 @dataclass(frozen=True)
-class Measure:
+class DotMeasure:
     """What a dot plot shows of every outcome.
 
     Attributes:
@@ -76,18 +76,20 @@ class Measure:
         return [*own, (self.apart / BINS, 1.0)]
 
 
-def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
+def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
     """What to show of outcomes: progress, and the gap to people if there are any.
 
     A gap of 0, the robot touching somebody, is set apart from however small a gap.
     """
     progress, gap = rollouts.progress_m, rollouts.clearance_m
     ends = round_range(min(0.0, float(progress.min())), float(progress.max()))
-    shown = [Measure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)]
+    shown = [
+        DotMeasure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)
+    ]
     if rollouts.scene.pedestrians:
         ends = round_range(0.0, max(float(gap.max()), 0.1))
         names = ("smallest gap to a person, m", "gap to a person, m", "gap")
-        shown.append(Measure(names, gap, *ends, APART))
+        shown.append(DotMeasure(names, gap, *ends, APART))
     return tuple(shown)
 
 
@@ -155,14 +157,16 @@ class DotScale:
 
     @classmethod
     def fit_all(
-        cls, shown: Sequence[Measure], width: float, height: float, largest_pitch: float
+        cls, shown: Sequence[DotMeasure], width: float, height: float, largest_pitch: float
     ) -> "list[DotScale]":
         """Scales of several measures with dots of one size, the largest that suits them all."""
         pitches = [cls.fit(measure, width, height, largest_pitch).pitch for measure in shown]
         return [cls.fit(measure, width, height, min(pitches)) for measure in shown]
 
     @classmethod
-    def fit(cls, measure: Measure, width: float, height: float, largest_pitch: float) -> "DotScale":
+    def fit(
+        cls, measure: DotMeasure, width: float, height: float, largest_pitch: float
+    ) -> "DotScale":
         """The scale with the largest dots at which the tallest stack stays in the room."""
         bins = measure.bins()
         tallest = max(int(np.bincount(row).max()) for row in bins)

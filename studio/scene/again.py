@@ -15,13 +15,9 @@ def record_command(rollouts: Rollouts) -> str | None:
 
 
 def command_again(words: Sequence[str], rollouts: Rollouts) -> str | None:
-    """A command with the options by which it simulates the same again.
+    """A command that begins with these words, and the options by which it simulates the same again.
 
     Commands simulate all of `META_ACTIONS`, whether or not all of them are in the rollouts.
-
-    Args:
-        words: the words before the options.
-        rollouts: what was simulated.
 
     Returns:
         None if no options do: what is special about the simulation can only be said from Python.
@@ -49,10 +45,7 @@ def how_to_make_again(
 ) -> list[str]:
     """The lines of Markdown at the end of a page that say how its recording is made again.
 
-    Args:
-        rollouts: what was simulated.
-        command: the command that does it; None if no command does.
-        settings: lines that tell the settings of the simulation.
+    The command is None if no command does it; the settings are lines of Markdown as well.
     """
     name = rollouts.scene.name
     if command is None:

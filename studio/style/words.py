@@ -29,6 +29,11 @@ def short(name: str) -> str:
     return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"
 
 
+def action_label(name: str) -> str:
+    """What people read for the name of an action: `slow_down` is written "slow down"."""
+    return name.replace("_", " ")
+
+
 def number(value: float, form: str = "g") -> str:
     """A number with the minus sign that people write."""
     return format(value, form).replace("-", "−")

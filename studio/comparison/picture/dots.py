@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import BoolArray
-from studio.comparison.dots import BINS, DOT_RADIUS, DotScale, IconGrid, Measure
+from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconGrid
 from studio.painter.canvas import Box, Canvas
 from studio.painter.plots import Axis, draw_ticks
 from studio.style.palette import Colour, blend
@@ -110,7 +110,7 @@ class DotAxis(Axis):
         measure: what lies along it.
     """
 
-    measure: Measure
+    measure: DotMeasure
 
     def at(self, value: float) -> float:
         """Where a value lies, px."""
@@ -122,7 +122,7 @@ def has_dots(scale: DotScale) -> bool:
     return scale.pitch >= _SMALLEST_PITCH
 
 
-def draw_dot_axis(canvas: Canvas, room: Box, measure: Measure) -> None:
+def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     """Draw the axis under the room for dots (px), its ticks, and below them what it measures."""
     unit, small = canvas.unit, canvas.type.small
     for start, end in measure.lines():

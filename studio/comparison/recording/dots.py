@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scenes import Rollouts
 from studio.arrays import FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
-from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, measures
+from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
@@ -53,7 +53,7 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
     places, colours, radii = [icons[ranks]], [shades], [radius]
     lowest = []
 
-    axes, shown = Drawing(lift=0.02), measures(rollouts)
+    axes, shown = Drawing(lift=0.02), dot_measures(rollouts)
     width = (1.0 - GAP * (len(shown) - 1)) / len(shown)
     scales = DotScale.fit_all(shown, width, DOTS_HEIGHT, DOT_PITCH)
     for column, (measure, scale) in enumerate(zip(shown, scales, strict=True)):

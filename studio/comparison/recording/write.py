@@ -32,12 +32,7 @@ from studio.style.words import counted, short
 def write_comparison_recording(
     path: Path, comparison: Comparison, judgements: tuple[Judgement, ...]
 ) -> None:
-    """Write a recording of two actions side by side.
-
-    Args:
-        path: the `.rrd` file to write.
-        comparison: of the two actions.
-        judgements: what each teacher thinks of these two, left then right.
+    """Write a recording (`.rrd`) of two actions side by side, which are the two that are judged.
 
     Raises:
         OSError: if the file cannot be written.

@@ -25,7 +25,7 @@ def between(values: FloatArray, step: float) -> FloatArray:
     return between_them
 
 
-class Crowd:
+class MovingScene:
     """The scene in motion: all rollouts of one action as ghosts with trails, one in full."""
 
     def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, index: int) -> None:

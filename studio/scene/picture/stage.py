@@ -115,16 +115,12 @@ def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
 
 
 def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:
-    """Draw a scale bar and its length, for example under the view.
+    """Draw a bar that shows the scale of a view, and its length in words.
 
-    Args:
-        canvas: to draw on.
-        view: whose scale it shows.
-        right: where it ends, px.
-        baseline: of its text, px.
+    The words end at the right and stand on the baseline, px.
 
     Returns:
-        Where it begins, px.
+        Where the bar begins, px.
     """
     lengths = [digit * 10.0**power for power in (-1, 0, 1, 2, 3) for digit in (1, 2, 5)]
     metres = max(

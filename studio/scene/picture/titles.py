@@ -1,21 +1,19 @@
-"""What pictures and films say about themselves in words."""
+"""What pictures and films say in words, and how they fit it into their room."""
 
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.canvas import SEMIBOLD, Box, Canvas
-
-
-def display_name(name: str) -> str:
-    """An action's name as people write it."""
-    return name.replace("_", " ")
+from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, Point
+from studio.style.palette import Colour
+from studio.style.words import counted
 
 
 def titles(rollouts: Rollouts) -> list[str]:
     """What the scene is called, the longest wording first."""
     scene = rollouts.scene
     silent = (scene.name, "custom")  # words that would repeat the name, or say nothing
-    kind = [display_name(word) for word in (scene.family, scene.pattern) if word not in silent]
+    words = [word for word in (scene.family, scene.pattern) if word not in silent]
+    kind = [word.replace("_", " ") for word in words]
     return [" · ".join([scene.name, *kind]), scene.name]
 
 
@@ -23,11 +21,11 @@ def subtitles(rollouts: Rollouts) -> list[str]:
     """What was simulated in one line, the longest wording first."""
     actions, count, steps, _ = rollouts.robot.shape
     people, groups = len(rollouts.scene.pedestrians), len(rollouts.scene.groups)
-    crowd = _plural(people, "pedestrian") + (f" in {_plural(groups, 'group')}" if groups else "")
+    crowd = counted(people, "pedestrian") + (f" in {counted(groups, 'group')}" if groups else "")
     if groups and sum(map(len, rollouts.scene.groups)) < people:
-        crowd = f"{_plural(people, 'pedestrian')}, {_plural(groups, 'group')}"
+        crowd = f"{counted(people, 'pedestrian')}, {counted(groups, 'group')}"
     horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
-    sizes = f"{_plural(actions, 'action')} × {_plural(count, 'rollout')}"
+    sizes = f"{counted(actions, 'action')} × {counted(count, 'rollout')}"
     number = rollouts.scene.number
     seed = f"seed {rollouts.seed}, number {number}" if number else f"seed {rollouts.seed}"
     return [
@@ -40,36 +38,62 @@ def subtitles(rollouts: Rollouts) -> list[str]:
 def draw_heading(
     canvas: Canvas, page: Box, titles: Sequence[str], subtitles: Sequence[str], room: float
 ) -> Box:
-    """Write a title and a subtitle along the top of a page, each in the wording that fits.
+    """Write a title and below it a subtitle along the top of a page (px).
 
-    Args:
-        canvas: to draw on.
-        page: within whose top and sides they lie, px.
-        titles: the longest wording first.
-        subtitles: the longest wording first.
-        room: for the title, px from the left of the page.
+    Both are given in several wordings, the longest first. The title has some room (px) from the
+    left of the page on, the subtitle all of the page's width.
 
     Returns:
         The box of both, as wide as the page.
     """
-    kind = canvas.type
-    title = canvas.text(
-        (page.left, page.top),
-        canvas.fitted(titles, room, kind.title, SEMIBOLD),
-        kind.title,
-        canvas.theme.ink,
-        SEMIBOLD,
-        line="top",
-    )
-    subtitle = canvas.text(
-        (page.left, title.bottom + 4 * canvas.unit),
-        canvas.fitted(subtitles, page.width, kind.body),
-        kind.body,
-        canvas.theme.faint,
-        line="top",
-    )
+    kind, theme = canvas.type, canvas.theme
+    at = (page.left, page.top)
+    title = write(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
+    at = (page.left, title.bottom + 4 * canvas.unit)
+    subtitle = write(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
     return Box(page.left, page.top, page.right, subtitle.bottom)
 
 
-def _plural(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+def draw_heading_in_line(
+    canvas: Canvas, titles: Sequence[str], subtitles: Sequence[str], size: int, lower: float
+) -> Box:
+    """Write a title of this size (px) at the left and a subtitle at the right of the page's top.
+
+    Both are given in several wordings, the longest first. The subtitle stands a little lower (px).
+
+    Returns:
+        The box of the title.
+    """
+    page, theme = canvas.page, canvas.theme
+    at = (page.left, page.top)
+    title = write(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
+    room = page.right - title.right - canvas.type.heading
+    at = (page.right, title.centre[1] + lower)
+    write(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
+    return title
+
+
+def write(
+    canvas: Canvas,
+    at: Point,
+    wordings: str | Sequence[str],
+    room: float,
+    size: int,
+    colour: Colour,
+    weight: int = REGULAR,
+    anchor: str = "left",
+    line: str = "middle",
+) -> Box:
+    """Set the first wording that is no wider than the room (px), else as `Canvas.text` does."""
+    fitting = canvas.fitted(wordings, room, size, weight)
+    return canvas.text(at, fitting, size, colour, weight, anchor, line)
+
+
+def joined(*wordings: Sequence[str]) -> list[str]:
+    """Wordings of one line, each made of parts, of which empty ones are left out."""
+    return [" · ".join(part for part in parts if part) for parts in wordings]
+
+
+def contacts_counted(touched: int, count: int, so_far: str = "") -> list[str]:
+    """In how many of `count` rollouts there was contact, the longest wording first."""
+    return [f"{touched} of {count} contact{so_far}", f"{touched} of {count}{so_far}"]

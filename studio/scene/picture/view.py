@@ -24,8 +24,9 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
-from studio.scene.picture.titles import display_name
+from studio.scene.picture.titles import joined, write
 from studio.style.palette import blend
+from studio.style.words import action_label
 
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 
@@ -35,11 +36,7 @@ def draw_scene(
 ) -> None:
     """Draw the scene and a caption below it.
 
-    Args:
-        canvas: to draw on.
-        box: where, px.
-        rollouts: of the scene under each action.
-        judgements: the teachers' picks are named even where not every action can be.
+    Where not every action can be named, those are that a teacher would pick.
     """
     scene, unit = rollouts.scene, canvas.unit
     caption_height = 1.5 * canvas.type.small
@@ -53,7 +50,7 @@ def draw_scene(
     colours = [theme.action_colour(name) for name in rollouts.names]
     draw_ground(inside, view)
     grey = blend(theme.pedestrian, theme.panel, 0.8)
-    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
+    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.steps + 1, 2)
     inside.faint_paths(list(view.to_pixels(people)), grey, pen, 0.6 * opacity)
     for index, paths in enumerate(rollouts.robot):
         inside.faint_paths(list(view.to_pixels(paths)), colours[index], pen, opacity)
@@ -79,8 +76,8 @@ def draw_scene(
     draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel, seen)
     small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
-    caption = canvas.fitted(_captions(rollouts), end - box.left, small)
-    canvas.text((box.left, baseline), caption, small, canvas.theme.faint, line="base")
+    at, room = (box.left, baseline), end - box.left
+    write(canvas, at, _captions(rollouts), room, small, theme.faint, line="base")
 
 
 def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
@@ -114,7 +111,7 @@ def _scene_labels(
         dx, dy = path[-1] - path[-min(6, len(path))]
         labels.append(
             Label(
-                canvas.abbreviated(display_name(name), view.box.width / 5, body, SEMIBOLD),
+                canvas.abbreviated(action_label(name), view.box.width / 5, body, SEMIBOLD),
                 body,
                 SEMIBOLD,
                 canvas.theme.legible(canvas.theme.action_colour(name)),
@@ -129,21 +126,16 @@ def _scene_labels(
 
 def _captions(rollouts: Rollouts) -> list[str]:
     """What the marks in the scene mean, the longest wording first."""
-    scene = rollouts.scene
-    people, paths = ([], [])
-    if scene.pedestrians:
-        people, paths = ["grey: people"], ["grey: people and their paths without the robot"]
-    groups = ["joined: groups"] if scene.groups else []
-    contact = rollouts.touched.any()
-    first, red = (["red: first contact"], ["red: contact"]) if contact else ([], [])
+    people = "grey: people" if rollouts.scene.pedestrians else ""
+    paths = people and f"{people} and their paths without the robot"
+    groups = "joined: groups" if rollouts.scene.groups else ""
+    red = "red: contact" if rollouts.touched.any() else ""
+    first = red and "red: first contact"
     every, brief = "Thin: every rollout · bold: median", "Thin: rollouts · bold: median"
-    return [
-        " · ".join(parts)
-        for parts in (
-            [every, *paths, *groups, *first],
-            [every, *people, *groups, *first],
-            [brief, *people, *groups, *red],
-            [brief, *people, *red],
-            ["Bold: median", *people, *red],
-        )
-    ]
+    return joined(
+        (every, paths, groups, first),
+        (every, people, groups, first),
+        (brief, people, groups, red),
+        (brief, people, red),
+        ("Bold: median", people, red),
+    )

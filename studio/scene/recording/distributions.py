@@ -70,13 +70,8 @@ def draw_counts(
 ) -> None:
     """Draw a histogram into the panel that begins at `left`.
 
-    Args:
-        drawing: what to draw into.
-        left: where the panel begins.
-        measure: what is counted.
-        edges: [B+1], of the bins.
-        counts: [2, B], the outcomes with contact, and all.
-        colours: of the outcomes with contact, and of the others above them.
+    Counts [2, B] are those of the outcomes with contact and of all in bins with B + 1 edges;
+    colours are those of the outcomes with contact and of the others, which lie above them.
     """
     peak, bar = int(counts.max()), PANEL_WIDTH / counts.shape[1]
     strokes = max(3, int(np.ceil(bar / STROKE)))
@@ -109,13 +104,8 @@ def draw_band(
 ) -> None:
     """Draw the median gap over time and its 10 to 90 % band into the panel that begins at `left`.
 
-    Args:
-        drawing: what to draw into.
-        left: where the panel begins.
-        horizon: end of the time axis, s.
-        ends: lowest and highest gap, m.
-        quantiles: [3, T+1], the 10 %, 50 % and 90 % quantiles, m.
-        colour: of the action.
+    The panel shows gaps between two ends (m) up to the horizon (s). Quantiles [3, T+1] are the
+    10 %, 50 % and 90 % quantiles, m.
     """
     low, high = ends
     scale = PANEL_HEIGHT / (high - low)

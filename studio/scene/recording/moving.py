@@ -41,16 +41,9 @@ def log_people(
     look: rr.Points2D,
     theme: Theme,
 ) -> None:
-    """Show people who move, and bars that join those of a group.
+    """Show people [moments, N, 2] (m) who move, and bars that join those of a group.
 
-    Args:
-        stream: the recording.
-        path: of the entity.
-        times: the moments of the people's places, on every timeline.
-        people: [moments, N, 2], m.
-        groups: the people of each group, as indices up to N.
-        look: radii, colours and draw order of the people.
-        theme: for the colour of the bars.
+    Groups name people by their indices in axis N; the look says radii, colours and draw order.
     """
     places = rounded(people)
     static: list[rr.AsComponents] = [look]

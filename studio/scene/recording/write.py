@@ -39,12 +39,7 @@ PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce")
 
 
 def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
-    """Write a recording of one scene under all its actions.
-
-    Args:
-        path: the `.rrd` file to write.
-        rollouts: what was simulated.
-        judgements: what each teacher thinks of the actions.
+    """Write a recording (`.rrd`) of one scene under all its actions.
 
     Raises:
         OSError: if the file cannot be written.

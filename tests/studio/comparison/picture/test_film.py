@@ -8,17 +8,17 @@ import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.comparison.comparison import QUESTION, compare
-from studio.comparison.dots import DotScale, Measure, measures
+from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import IconArray
 from studio.comparison.picture.film import (
     Pace,
     compose_comparison_film,
-    play,
-    rest,
+    play_outcomes,
+    scenes_at_rest,
 )
 from studio.comparison.picture.page import (
     compose_comparison_picture,
-    lay_out,
+    lay_out_comparison,
 )
 from studio.errors import InputError
 from studio.painter.canvas import Box, Canvas
@@ -114,7 +114,7 @@ def test_the_page_names_both_sides_and_counts_their_contacts(comparison):
 
 
 def test_both_sides_have_the_same_axes(comparison):
-    page = lay_out(comparison, (1600, 900))
+    page = lay_out_comparison(comparison, (1600, 900))
     for plot in page.plots:
         left, right = plot.rooms
         assert left.width == pytest.approx(right.width)
@@ -178,7 +178,7 @@ def test_dots_of_every_outcome_find_room(count):
     room = Box(0.0, 0.0, 300.0, 120.0)
     rng = np.random.default_rng(0)
     for values in (rng.uniform(0.0, 1.0, (2, count)), np.zeros((2, count)), np.ones((2, count))):
-        measure = Measure(("x",), values, 0.0, 1.0)
+        measure = DotMeasure(("x",), values, 0.0, 1.0)
         scale = DotScale.fit(measure, room.width, room.height, 15.0)
         assert scale.bins.min() >= 0
         assert scale.bins.max() <= 23
@@ -194,7 +194,7 @@ def test_dots_of_every_outcome_find_room(count):
 def test_touching_a_person_has_a_bin_of_its_own_and_ticks_lie_where_their_values_do():
     rollouts = a_comparison(rollouts=4).rollouts
     gaps = np.array([[0.0, 1e-9, 0.5, 1.0], [0.0, 0.0, 0.99, 0.25]])
-    _, gap = measures(dataclasses.replace(rollouts, clearance_m=gaps))
+    _, gap = dot_measures(dataclasses.replace(rollouts, clearance_m=gaps))
     bins = gap.bins()
     assert ((bins == 0) == (gaps == 0.0)).all()
     assert bins[0, 1] > 1  # apart from it
@@ -206,23 +206,25 @@ def test_touching_a_person_has_a_bin_of_its_own_and_ticks_lie_where_their_values
 def test_dots_of_both_measures_are_of_one_size(comparison):
     crowded = np.tile([[0.3] * 25 + [1.0] * 25], (2, 1))
     shown = [
-        Measure(("x",), np.tile(np.linspace(0.0, 1.0, 50), (2, 1)), 0.0, 1.0),
-        Measure(("y",), crowded, 0.0, 1.0),
+        DotMeasure(("x",), np.tile(np.linspace(0.0, 1.0, 50), (2, 1)), 0.0, 1.0),
+        DotMeasure(("y",), crowded, 0.0, 1.0),
     ]
     first, second = DotScale.fit_all(shown, 300.0, 120.0, 15.0)
     assert first.pitch == second.pitch
     assert second.pitch == DotScale.fit(shown[1], 300.0, 120.0, 15.0).pitch
-    assert len({plot.scale.pitch for plot in lay_out(comparison, SIZE).plots}) == 1
+    assert len({plot.scale.pitch for plot in lay_out_comparison(comparison, SIZE).plots}) == 1
 
 
 # The film
 
 
-@pytest.mark.parametrize("draw", [rest, lambda page: next(play(page, Pace.of(1, 10), range(1)))])
+@pytest.mark.parametrize(
+    "draw", [scenes_at_rest, lambda page: next(play_outcomes(page, Pace.of(1, 10), range(1)))]
+)
 def test_who_stands_on_the_goal_does_not_hide_it(draw):
     standing = Pedestrian((1.5, 0.0), (1.5, 0.0), desired_speed=0.0)
     scene = Scene("a-scene", Robot((0.0, 0.0), (1.5, 0.0)), (standing,))
-    page = lay_out(compare(simulate(scene, rollouts=1, horizon=0.5), *NAMES), SIZE)
+    page = lay_out_comparison(compare(simulate(scene, rollouts=1, horizon=0.5), *NAMES), SIZE)
     canvas = draw(page)
     for view in page.views:
         x, y = view.to_pixels((1.5, 0.0)).astype(int)
@@ -265,17 +267,17 @@ def test_the_same_input_gives_the_same_bytes(comparison, film, tmp_path):
 
 @pytest.mark.parametrize("size", [SIZE, (1274, 714)])
 def test_a_part_that_starts_later_goes_on_where_the_one_before_it_stopped(size):
-    page, pace = lay_out(a_comparison(rollouts=30), size), Pace.of(30, 5)
-    whole = [canvas.pixels.copy() for canvas in play(page, pace, range(30))]
-    later = [canvas.pixels.copy() for canvas in play(page, pace, range(28, 30))]
+    page, pace = lay_out_comparison(a_comparison(rollouts=30), size), Pace.of(30, 5)
+    whole = [canvas.pixels.copy() for canvas in play_outcomes(page, pace, range(30))]
+    later = [canvas.pixels.copy() for canvas in play_outcomes(page, pace, range(28, 30))]
     for first, second in zip(whole[28 * pace.frames :], later, strict=True):
         np.testing.assert_array_equal(first, second)
 
 
 def test_counts_grow_as_outcomes_come_to_their_end(comparison):
-    page, pace = lay_out(comparison, SIZE), Pace.of(5, 10)
-    assert not any("contact" in text or "so far" in text for text in texts(rest(page)))
-    told = [texts(canvas) for canvas in play(page, pace, range(5))]
+    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 10)
+    assert not any("contact" in text or "so far" in text for text in texts(scenes_at_rest(page)))
+    told = [texts(canvas) for canvas in play_outcomes(page, pace, range(5))]
     touched = comparison.rollouts.touched[0]
     for outcome in range(5):
         start, end = told[outcome * pace.frames], told[(outcome + 1) * pace.frames - 1]
@@ -285,12 +287,12 @@ def test_counts_grow_as_outcomes_come_to_their_end(comparison):
         ended = "5 with contact" if outcome == 4 else f"{outcome + 1} so far"
         assert f"{touched[: outcome + 1].sum()} of {ended}" in end
         assert sum(text.endswith(ended) for text in end) == 2
-    check_texts(rest(page))
+    check_texts(scenes_at_rest(page))
 
 
 def test_the_robot_turns_red_when_it_touches_something_and_not_before(comparison):
-    page, pace = lay_out(comparison, SIZE), Pace.of(5, 10)
-    reds = [red_pixels(canvas.pixels) for canvas in play(page, pace, range(1))]
+    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 10)
+    reds = [red_pixels(canvas.pixels) for canvas in play_outcomes(page, pace, range(1))]
     before = int(2 / 5 * pace.moving) - 1  # contact is at step 2 of 5
     assert reds[:before] == [0] * before
     assert min(reds[before + 1 :]) > 20
@@ -298,11 +300,11 @@ def test_the_robot_turns_red_when_it_touches_something_and_not_before(comparison
 
 @pytest.mark.parametrize("size", [SIZE, (1920, 1080)])
 def test_texts_stay_apart_all_along(unusual, size):
-    page = lay_out(unusual, size)
+    page = lay_out_comparison(unusual, size)
     pace = Pace.of(unusual.rollouts.count, 30)
-    check_texts(rest(page))
+    check_texts(scenes_at_rest(page))
     last = pace.turns - 1
-    for canvas in itertools.islice(play(page, pace, range(last, last + 1)), 0, None, 20):
+    for canvas in itertools.islice(play_outcomes(page, pace, range(last, last + 1)), 0, None, 20):
         check_texts(canvas)
 
 

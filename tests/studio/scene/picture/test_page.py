@@ -9,7 +9,7 @@ import pytest
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.errors import InputError
 from studio.scene.judgements import judge
-from studio.scene.picture.film import lay_out, play
+from studio.scene.picture.film import lay_out_film, play_action
 from studio.scene.picture.page import compose_picture
 from studio.style.palette import LIGHT, THEMES
 
@@ -114,8 +114,8 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 @pytest.mark.parametrize(("name", "size", "theme"), PAGES)
 def test_texts_of_a_film_stay_on_the_page_and_off_one_another(name, size, theme):
     rollouts, _ = the_case(name)
-    page, last = lay_out(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
-    for canvas in play(page, rollouts, last, np.array([0.0, rollouts.horizon])):
+    page, last = lay_out_film(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
+    for canvas in play_action(page, rollouts, last, np.array([0.0, rollouts.horizon])):
         for text in canvas.texts:
             assert canvas.box.contains(text.box), text
         for first, second in itertools.combinations(canvas.texts, 2):
