@@ -14,10 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenes import Rollouts
-from studio.arrays import FloatArray
+from studio.arrays import FloatArray, IntArray
 from studio.style.ticks import round_range
 
 BINS = 24
@@ -38,7 +37,7 @@ class DotMeasure:
     """What a dot plot shows of every outcome.
 
     Attributes:
-        names: what it is, with its unit, the longest wording first.
+        names: what is measured, with its unit, the longest wording first.
         values: [A, K].
         low: left end of the axis, 0 unless there are values below.
         high: right end of the axis.
@@ -52,7 +51,7 @@ class DotMeasure:
     high: float
     apart: int = 0
 
-    def bins(self) -> NDArray[np.int64]:
+    def bins(self) -> IntArray:
         """The bin that each outcome falls into, [A, K]."""
         shares = (self.values - self.low) / (self.high - self.low)
         along = BINS - self.apart
@@ -97,13 +96,13 @@ def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
 class IconGrid:
     """An array of dots in columns: contacts fill it up from the left, the rest from the right.
 
-    So no dot ever changes its colour once it has one, and in the end the two meet. Lengths are in
-    the unit of the room that it was fitted to.
+    So no dot ever changes its colour once it has one, and in the end contacts and the rest meet. Lengths are in
+    the unit of the room that the array was fitted to.
 
     Attributes:
         count: how many outcomes there are.
         rows: how many dots a column has.
-        pitch: from one dot to the next.
+        pitch: distance from one dot to the next.
     """
 
     count: int
@@ -112,7 +111,7 @@ class IconGrid:
 
     @classmethod
     def fit(cls, width: float, height: float, count: int, largest_pitch: float) -> "IconGrid":
-        """The one with the largest dots."""
+        """The array with the largest dots."""
 
         def pitch(rows: int) -> float:
             return min(width / math.ceil(count / rows), height / rows, largest_pitch)
@@ -122,12 +121,12 @@ class IconGrid:
 
     @property
     def width(self) -> float:
-        """Of all columns."""
+        """Width of all columns together."""
         return math.ceil(self.count / self.rows) * self.pitch
 
     @property
     def height(self) -> float:
-        """Of a column."""
+        """Height of a column."""
         return self.rows * self.pitch
 
     def places(self) -> FloatArray:
@@ -141,16 +140,16 @@ class IconGrid:
 class DotScale:
     """How the dots of a measure are stacked, under every action alike.
 
-    Lengths are in the unit of the room that it was fitted to.
+    Lengths are in the unit of the room that the scale was fitted to.
 
     Attributes:
         bins: [A, K], the bin that each outcome falls into.
-        width: of a bin.
+        width: width of a bin.
         abreast: how many dots stand side by side in a bin.
-        pitch: from one dot to the next.
+        pitch: distance from one dot to the next.
     """
 
-    bins: NDArray[np.int64]
+    bins: IntArray
     width: float
     abreast: int
     pitch: float

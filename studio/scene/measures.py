@@ -1,4 +1,4 @@
-"""What outcomes are described by, in the units that people read, and how it comes about over time.
+"""What outcomes are described by, in the units that people read, and how they come about over time.
 
 `scenes.features` describes whole rollouts, and has the definitions of gap and progress; here they
 are at every step.
@@ -10,7 +10,7 @@ import numpy as np
 
 from scenes import FEATURES, Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
+from studio.arrays import BoolArray, FloatArray, IntArray
 
 
 @dataclass(frozen=True)
@@ -71,3 +71,16 @@ def progress_over_time(rollouts: Rollouts) -> FloatArray:
     to_goal = np.linalg.norm(rollouts.robot[..., :2] - rollouts.scene.robot.goal, axis=-1)
     progress: FloatArray = to_goal[..., :1] - to_goal
     return progress
+
+
+def touched_by(contact_step: IntArray, step: float | IntArray) -> BoolArray:
+    """Whether rollouts with these steps of first contact have touched something by a step."""
+    touched: BoolArray = (contact_step >= 0) & (contact_step <= step)
+    return touched
+
+
+def first_contacts(rollouts: Rollouts, index: int) -> FloatArray:
+    """Poses at which the robots under one action first touch something, [N, 3], m and rad."""
+    [touching] = np.nonzero(rollouts.touched[index])
+    poses: FloatArray = rollouts.robot[index, touching, rollouts.contact_step[index, touching]]
+    return poses

@@ -8,6 +8,7 @@ from studio.arrays import BoolArray
 from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconGrid
 from studio.painter.canvas import Box, Canvas
 from studio.painter.plots import Axis, draw_ticks
+from studio.scene.picture.titles import write
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 
@@ -19,8 +20,8 @@ class IconArray:
     """One dot an outcome: those in contact fill up from the left, the rest from the right.
 
     Attributes:
-        box: what it takes up, px.
-        grid: where the dots lie in it.
+        box: the box that the array takes up, px.
+        grid: where the dots lie in the box.
     """
 
     box: Box
@@ -34,7 +35,7 @@ class IconArray:
         return cls(Box(room.left, top, room.left + grid.width, top + grid.height), grid)
 
     def draw(self, canvas: Canvas, touched: int, others: int, colour: Colour) -> None:
-        """Draw it when so many outcomes had contact and so many others had none."""
+        """Draw the array when `touched` outcomes had contact and `others` had none."""
         count, pitch = self.grid.count, self.grid.pitch
         colours = [canvas.theme.contact, canvas.theme.grid, blend(colour, canvas.theme.ground, 0.5)]
         numbers = [touched, count - touched - others, others]
@@ -56,14 +57,7 @@ class DotPlot:
     """One side's dots for one measure, which pile up as outcomes arrive; contacts lie below."""
 
     def __init__(self, room: Box, scale: DotScale, side: int, contact: BoolArray) -> None:
-        """Take where the dots go.
-
-        Args:
-            room: for the dots, px; they stand on its bottom, on the bare page.
-            scale: of the measure.
-            side: which row of the scale's bins.
-            contact: [K], which outcomes touched something.
-        """
+        """Stand the dots on the bottom of a bare room (px); contact [K] is that of the outcomes."""
         self._room, self._scale = room, scale
         self._bins, self._contact = scale.bins[side], contact
         self._drawn = np.zeros((2, BINS), np.int64)
@@ -131,6 +125,5 @@ def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     axis = DotAxis(measure.low, measure.high, room.left, room.right, measure)
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
-    name = canvas.fitted(measure.names, room.width, small)
-    at = (room.centre[0], top + 1.1 * small)
-    canvas.text(at, name, small, canvas.theme.ink, anchor="centre", line="top")
+    at, ink = (room.centre[0], top + 1.1 * small), canvas.theme.ink
+    write(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")

@@ -14,12 +14,13 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.comparison.comparison import CLOSING, MOVING, OPENING, seconds_each
+from studio.scene.measures import touched_by
 from studio.scene.recording import entities
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
     arrowheads,
     crosses,
-    has_touched,
+    log_over_time,
     log_people,
     path_corners,
     rounded,
@@ -29,8 +30,7 @@ from studio.style.palette import Theme, blend
 Number = TypeVar("Number", bound=np.generic)
 
 POSES = 20
-"""How many poses of an outcome are shown after its first; more would follow one another too fast.
-"""
+"""How many poses of an outcome are shown after its first; more would pass too fast to see."""
 
 
 def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -46,43 +46,32 @@ def log_moving_robot(
 ) -> None:
     """Show the robot with an arrowhead, and the way that it has come in this outcome."""
     path = entities.story(rollouts.names[side])
-    colour = theme.action_colour(rollouts.names[side])
-    count, steps, when = rollouts.count, shown_steps(rollouts), moments(rollouts)
-    robot = rollouts.scene.robot
+    steps, when, robot = shown_steps(rollouts), [moments(rollouts)], rollouts.scene.robot
     rest = np.array([*robot.start, robot.start_heading])
-    poses = with_rest(rollouts.robot[side, :, steps].swapaxes(0, 1).reshape(-1, 3), rest)
-    touched = with_rest(has_touched(rollouts, side, steps).T.ravel(), np.array(False))
-    places = rounded(poses[:, :2])
-    body = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
-    stream.log(f"{path}/robot", body, static=True)
-    stream.send_columns(
-        f"{path}/robot",
-        [when],
-        rr.Points2D.columns(positions=places, class_ids=np.where(touched, CONTACT_CLASS, side + 1)),
-    )
-    style = rr.LineStrips2D.from_fields(
+    poses = with_rest(rollouts.robot[side][:, steps].reshape(-1, 3), rest)
+    touched = touched_by(rollouts.contact_step[side][:, None], steps)  # (K, poses)
+    classes = np.where(with_rest(touched.ravel(), np.array(False)), CONTACT_CLASS, side + 1)
+    points = rr.Points2D.columns(positions=rounded(poses[:, :2]), class_ids=classes)
+    look = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
+    log_over_time(stream, f"{path}/robot", when, [look], points)
+    line = rr.LineStrips2D.from_fields(
         colors=theme.panel, radii=0.11 * ROBOT_RADIUS, draw_order=40.0
     )
-    stream.log(f"{path}/heading", style, static=True)
-    stream.send_columns(
-        f"{path}/heading", [when], rr.LineStrips2D.columns(strips=list(arrowheads(poses)))
-    )
-    ways = [
-        rollouts.robot[side, outcome, steps[: last + 1], :2]
-        for outcome in range(count)
-        for last in range(len(steps))
-    ]
-    nowhere = rest[None, :2]
+    arrows = rr.LineStrips2D.columns(strips=list(arrowheads(poses)))
+    log_over_time(stream, f"{path}/heading", when, [line], arrows)
+    ways = [way[steps[: last + 1]] for way in rollouts.robot[side] for last in range(len(steps))]
+    nowhere = rest[None]
     # a line takes two points
     strips = [
-        rounded(way if len(way) > 1 else way.repeat(2, axis=0))
+        rounded(way[:, :2] if len(way) > 1 else way[:, :2].repeat(2, axis=0))
         for way in (nowhere, *ways, nowhere, nowhere)
     ]
-    style = rr.LineStrips2D.from_fields(
-        colors=colour, radii=rr.Radius.ui_points(1.6), draw_order=25.0
+    line = rr.LineStrips2D.from_fields(
+        colors=theme.action_colour(rollouts.names[side]),
+        radii=rr.Radius.ui_points(1.6),
+        draw_order=25.0,
     )
-    stream.log(f"{path}/way", style, static=True)
-    stream.send_columns(f"{path}/way", [when], rr.LineStrips2D.columns(strips=strips))
+    log_over_time(stream, f"{path}/way", when, [line], rr.LineStrips2D.columns(strips=strips))
 
 
 def log_moving_people(
@@ -117,13 +106,10 @@ def log_gathering_paths(
         strips += [way[corners], *marks]
         colours += [faint, *[theme.contact] * len(marks)]
         lengths.append(1 + len(marks))
-    path = f"{entities.story(name)}/paths"
-    stream.log(path, rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8)), static=True)
-    stream.send_columns(
-        path,
-        [story_times(ends(len(robot)))],
-        rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths),
-    )
+    look = rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8))
+    lines = rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths)
+    when = [story_times(ends(len(robot)))]
+    log_over_time(stream, f"{entities.story(name)}/paths", when, [look], lines)
 
 
 def shown_steps(rollouts: Rollouts) -> IntArray:

@@ -11,6 +11,7 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, PixelArray
 from studio.painter.canvas import Canvas, View, disc_coverage, tinted
+from studio.scene.measures import touched_by
 from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 
@@ -57,7 +58,7 @@ class MovingScene:
         places = view.to_pixels(poses) - self._corner
         canvas.pixels[:] = self._trails.drawn_to(step)
         ghosts = np.arange(len(poses)) != _TOLD_IN_FULL
-        touched = (self._contact_step >= 0) & (self._contact_step <= step)
+        touched = touched_by(self._contact_step, step)
         crowd = view.to_pixels(people[ghosts]).reshape(-1, 2) - self._corner
         self._ghost_people.draw(canvas.pixels, crowd, canvas.theme.pedestrian)
         self._ghost_robots.draw(canvas.pixels, places[ghosts & ~touched], self._colour)

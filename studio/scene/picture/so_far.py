@@ -6,7 +6,7 @@ from scenes import Rollouts
 from studio.arrays import BoolArray, FloatArray
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks
-from studio.scene.measures import gap_over_time, progress_over_time
+from studio.scene.measures import gap_over_time, progress_over_time, touched_by
 from studio.scene.picture.crowd import between
 from studio.scene.picture.titles import contacts_counted, write
 from studio.style.palette import Colour, blend
@@ -54,7 +54,7 @@ class OutcomesSoFar:
         """Draw what has happened up to a step."""
         canvas, theme, box = self._canvas, self._canvas.theme, self._count
         size, count = canvas.type.title, len(self._contact_step)
-        contact = (self._contact_step >= 0) & (self._contact_step <= step)
+        contact = touched_by(self._contact_step, step)
         touched, so_far = int(contact.sum()), " so far" if step < self._last else ""
         canvas.restore(still, box.inset(-0.15 * size))
         at, told = (box.left, box.top), contacts_counted(touched, count, so_far)

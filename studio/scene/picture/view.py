@@ -11,6 +11,7 @@ from studio.arrays import FloatArray
 from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas, Point, View
 from studio.painter.labels import Label, draw_labels
 from studio.scene.judgements import Judgement
+from studio.scene.measures import first_contacts
 from studio.scene.picture.stage import (
     draw_contacts,
     draw_goal,
@@ -57,7 +58,8 @@ def draw_scene(
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)
-    _draw_contacts(inside, view, rollouts)
+    for index in range(len(rollouts.actions)):
+        draw_contacts(inside, view, first_contacts(rollouts, index))
     medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
     for index, median in enumerate(medians):
         inside.line(median, canvas.theme.panel, 6 * unit)
@@ -78,13 +80,6 @@ def draw_scene(
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
     at, room = (box.left, baseline), end - box.left
     write(canvas, at, _captions(rollouts), room, small, theme.faint, line="base")
-
-
-def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
-    """Mark where the robot first touches something."""
-    for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
-        touching = np.flatnonzero(steps >= 0)
-        draw_contacts(canvas, view, paths[touching, steps[touching]])
 
 
 def _scene_labels(

@@ -8,12 +8,13 @@ import rerun as rr
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.scene.measures import first_contacts, touched_by
 from studio.scene.recording import entities
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
     arrowheads,
     crosses,
-    has_touched,
+    log_over_time,
     log_people,
     path_corners,
     rounded,
@@ -46,37 +47,27 @@ def log_robots(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme
     The arrowhead is a component of the robots, because an entity of its own would cost twice as
     much.
     """
-    path = entities.robots(rollouts.names[index])
     robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, K, 2)
     heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).swapaxes(0, 1)  # (T+1, K)
     times, count = heading.shape
     in_full = np.arange(count) == 0  # one rollout with bodies, the others as dots
+    radii = np.where(in_full, ROBOT_RADIUS, ROBOT_DOT_RADIUS)
     order = 30.0 + index  # a robot hides the arrowheads of those that it lies on
-    stream.log(
-        path,
-        rr.Points2D.from_fields(
-            radii=np.where(in_full, ROBOT_RADIUS, ROBOT_DOT_RADIUS), draw_order=order
-        ),
+    look = [
+        rr.Points2D.from_fields(radii=radii, draw_order=order),
         rr.LineStrips2D.from_fields(
             colors=theme.panel, radii=ARROWHEAD_THICKNESS / 2.0, draw_order=order + 0.5
         ),
-        static=True,
-    )
-    touched = has_touched(rollouts, index, np.arange(times))
-    stream.send_columns(
-        path,
-        time_columns(rollouts),
-        [
-            *rr.Points2D.columns(
-                positions=robot.reshape(-1, 2),
-                class_ids=np.where(touched, CONTACT_CLASS, index + 1).ravel(),
-            ).partition([count] * times),
-            *rr.AnyValues.columns(heading=heading.astype(np.float32).ravel()).partition(
-                [count] * times
-            ),
-            *rr.LineStrips2D.columns(strips=strips(rounded(arrowheads(rollouts.robot[index, 0])))),
-        ],
-    )
+    ]
+    touched = touched_by(rollouts.contact_step[index], np.arange(times)[:, None])
+    classes = np.where(touched, CONTACT_CLASS, index + 1).ravel()
+    points = rr.Points2D.columns(positions=robot.reshape(-1, 2), class_ids=classes)
+    headings = rr.AnyValues.columns(heading=heading.astype(np.float32).ravel())
+    arrows = rr.LineStrips2D.columns(strips=strips(rounded(arrowheads(rollouts.robot[index, 0]))))
+    rows = [count] * times
+    columns = [*points.partition(rows), *headings.partition(rows), *arrows]
+    path = entities.robots(rollouts.names[index])
+    log_over_time(stream, path, time_columns(rollouts), look, columns)
 
 
 def log_pedestrians(
@@ -109,9 +100,7 @@ def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme:
     The path of the robot that is drawn in full lies over the others once more, bold.
     """
     robot, corners = rounded(rollouts.robot[index, ..., :2]), path_corners(rollouts)
-    contact_step = rollouts.contact_step[index]
-    ever = np.flatnonzero(contact_step >= 0)
-    marks = crosses(robot[ever, contact_step[ever]], 0.05)
+    marks = crosses(rounded(first_contacts(rollouts, index)[:, :2]), 0.05)
     colour = theme.action_colour(rollouts.names[index])
     faint = blend(colour, theme.panel, 0.45)
     stream.log(

@@ -8,7 +8,7 @@ import rerun as rr
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import BoolArray, FloatArray, IntArray
+from studio.arrays import FloatArray, IntArray
 from studio.scene.groups import shortest_links
 from studio.style.palette import Theme, blend
 
@@ -30,6 +30,18 @@ BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS
 
 PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
+
+
+def log_over_time(
+    stream: rr.RecordingStream,
+    path: str,
+    times: Iterable[rr.TimeColumn],
+    look: Iterable[rr.AsComponents],
+    columns: Iterable[rr.ComponentColumn],
+) -> None:
+    """Say how an entity looks at any time, and what it is at each moment."""
+    stream.log(path, *look, static=True)
+    stream.send_columns(path, times, columns)
 
 
 def log_people(
@@ -61,8 +73,7 @@ def log_people(
         moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
             [bars.shape[1]] * len(bars)
         )
-    stream.log(path, *static, static=True)
-    stream.send_columns(path, times, moving)
+    log_over_time(stream, path, times, static, moving)
 
 
 def rounded(values: FloatArray, resolution: float = RESOLUTION) -> FloatArray:
@@ -104,13 +115,6 @@ def time_columns(rollouts: Rollouts) -> tuple[rr.TimeColumn, ...]:
         rr.TimeColumn("sim_time", duration=steps * rollouts.dt),
         rr.TimeColumn("step", sequence=steps),
     )
-
-
-def has_touched(rollouts: Rollouts, index: int, steps: IntArray) -> BoolArray:
-    """Whether each robot under one action has touched something by each of S steps, [S, K]."""
-    contact_step = rollouts.contact_step[index]
-    touched: BoolArray = rollouts.touched[index] & (steps[:, None] >= contact_step)
-    return touched
 
 
 def path_corners(rollouts: Rollouts) -> IntArray:
