@@ -96,8 +96,8 @@ def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
 class IconGrid:
     """An array of dots in columns: contacts fill it up from the left, the rest from the right.
 
-    So no dot ever changes its colour once it has one, and in the end contacts and the rest meet. Lengths are in
-    the unit of the room that the array was fitted to.
+    So no dot ever changes its colour once it has one, and in the end contacts and the rest meet.
+    Lengths are in the unit of the room that the array was fitted to.
 
     Attributes:
         count: how many outcomes there are.

@@ -18,7 +18,7 @@ from studio.scene.picture.film import (
     play_speed,
 )
 from studio.scene.picture.page import compose_picture
-from studio.style.palette import LIGHT
+from tests.canvases import check_texts, red_pixels
 
 SIZE = (640, 360)
 MANY_ACTIONS = tuple(MetaAction(f"action number {index}", 0.1 * index, 0.0) for index in range(20))
@@ -128,7 +128,7 @@ def test_robots_turn_red_when_they_touch_something_and_not_before(default):
         so_far = " so far" if len(reds) < 3 else ""  # the last of these is the end
         said = f"{4 if len(reds) > 1 else 0} of 4 contact{so_far}"
         assert said in [text.text for text in canvas.texts]
-        reds.append(int((canvas.pixels == LIGHT.contact).all(axis=-1).sum()))
+        reds.append(red_pixels(canvas.pixels))
     assert reds[:2] == [0, 0]
     assert min(reds[2:]) > 500
 
@@ -149,10 +149,7 @@ def test_texts_stay_on_the_page_and_off_one_another(case, size):
     rollouts = some_rollouts(**case)
     page, last = lay_out_film(rollouts, size), len(rollouts.actions) - 1
     for canvas in play_action(page, rollouts, last, np.linspace(0.0, rollouts.horizon, 3)):
-        for text in canvas.texts:
-            assert canvas.box.contains(text.box), text
-        for first, second in itertools.combinations(canvas.texts, 2):
-            assert not first.box.overlaps(second.box), (first, second)
+        check_texts(canvas)
 
 
 def test_the_film_runs_in_real_time_or_faster_and_says_so(default):
