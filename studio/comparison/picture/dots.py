@@ -8,7 +8,7 @@ from studio.arrays import BoolArray
 from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconGrid
 from studio.painter.canvas import Box, Canvas
 from studio.painter.plots import Axis, draw_ticks
-from studio.scene.picture.titles import write
+from studio.scene.picture.titles import fit_text
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 
@@ -126,4 +126,4 @@ def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
     at, ink = (room.centre[0], top + 1.1 * small), canvas.theme.ink
-    write(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")
+    fit_text(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")

@@ -51,6 +51,8 @@ def write_comparison_recording(
                 left=left, right=right, seed=comparison.seed, actions=list(comparison.actions)
             ),
         )
+        # screens count y downwards, figures count it upwards
+        stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
         for side in range(len(SIDES)):
             log_story(stream, rollouts, side, theme)
             log_dots(stream, rollouts, side, theme)

@@ -12,7 +12,7 @@ from studio.painter.canvas import REGULAR, SEMIBOLD, Box, Canvas
 from studio.painter.plots import Axis, draw_histogram, draw_icons, draw_ticks, icon_pitch, signed
 from studio.scene.judgements import Judgement
 from studio.scene.measures import Measure, measures
-from studio.scene.picture.titles import joined, write
+from studio.scene.picture.titles import fit_text, joined
 from studio.style.palette import Colour, blend, contrast
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, number
@@ -94,7 +94,7 @@ class ActionTable:
         """Write a note below the table, from its left or its right end on."""
         top = self.box.bottom - self.footer + 8 * canvas.unit
         size, faint = canvas.type.small, canvas.theme.faint
-        write(canvas, (at, top), wordings, room, size, faint, anchor=anchor, line="top")
+        fit_text(canvas, (at, top), wordings, room, size, faint, anchor=anchor, line="top")
 
     def _rows(self, column: Box) -> list[Box]:
         """The cells of one column."""
@@ -119,13 +119,13 @@ class ActionTable:
             left_out = f"and {count - self.shown} more actions"
             wordings = [f"{left_out} that there is no room for", left_out]
             at, faint = (self.box.left, top + self.row / 2), canvas.theme.faint
-            write(canvas, at, wordings, room, canvas.type.small, faint)
+            fit_text(canvas, at, wordings, room, canvas.type.small, faint)
 
     def _head(self, canvas: Canvas, column: Box, title: str, below: str, colour: Colour) -> None:
         kind, width, at = canvas.type, column.width, (column.left, column.top)
-        box = write(canvas, at, title, width, kind.heading, colour, SEMIBOLD, line="top")
+        box = fit_text(canvas, at, title, width, kind.heading, colour, SEMIBOLD, line="top")
         at = (column.left, box.bottom + 1)
-        write(canvas, at, below, width, kind.small, canvas.theme.faint, line="top")
+        fit_text(canvas, at, below, width, kind.small, canvas.theme.faint, line="top")
 
     def _draw_names(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
         unit, size = canvas.unit, canvas.type.body

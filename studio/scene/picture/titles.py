@@ -48,9 +48,9 @@ def draw_heading(
     """
     kind, theme = canvas.type, canvas.theme
     at = (page.left, page.top)
-    title = write(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
+    title = fit_text(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
     at = (page.left, title.bottom + 4 * canvas.unit)
-    subtitle = write(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
+    subtitle = fit_text(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
     return Box(page.left, page.top, page.right, subtitle.bottom)
 
 
@@ -66,14 +66,14 @@ def draw_heading_in_line(
     """
     page, theme = canvas.page, canvas.theme
     at = (page.left, page.top)
-    title = write(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
+    title = fit_text(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
     room = page.right - title.right - canvas.type.heading
     at = (page.right, title.centre[1] + lower)
-    write(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
+    fit_text(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
     return title
 
 
-def write(
+def fit_text(
     canvas: Canvas,
     at: Point,
     wordings: str | Sequence[str],

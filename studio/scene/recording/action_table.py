@@ -1,7 +1,7 @@
 """The action table in a recording: all outcomes of all actions, and what teachers make of them.
 
-It lies on a page whose unit is a little more than two rows where there are few actions. Where
-there are many, rows get lower and the table no taller, so that its words keep their room.
+It lies on a page of its own, on which its texts are about 0.2 high. Where there are many actions,
+rows get lower and the table no taller, so that its words keep their room.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ from studio.style.palette import LIGHT, Theme, blend
 from studio.style.words import number, short
 
 COLUMN_WIDTH, ROW_HEIGHT, TALLEST_TABLE = 1.4, 0.45, 3.6
-"""Width of a column, height of a row where there is room, and of all rows together."""
+"""Width of a column, height of a row where there is room, and height of all rows at most."""
 
 HALF_TICK_LETTER = 0.05
 """Half the width of a letter below the table."""

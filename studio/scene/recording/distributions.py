@@ -39,11 +39,10 @@ STROKE = 0.02
 
 
 def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
-    """Draw a figure an action."""
+    """Draw the figure of each action."""
     shown = [(measure, bin_edges(measure)) for measure in measures(rollouts)]
     if rollouts.scene.pedestrians:
-        # (3, A, T+1), m
-        gap_quantiles = np.quantile(gap_over_time(rollouts), [0.1, 0.5, 0.9], axis=1)
+        gap_quantiles = np.quantile(gap_over_time(rollouts), [0.1, 0.5, 0.9], axis=1)  # (3, A, T+1)
     for index, name in enumerate(rollouts.names):
         drawing, touched = Drawing(lift=0.06, resolution=PAGE_RESOLUTION), rollouts.touched[index]
         colour = theme.action_colour(name)

@@ -9,7 +9,7 @@ APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
 
 COMPARISON_APPLICATION = "prospect_studio_comparison"
-"""Of a recording of two actions side by side."""
+"""The application that recordings of two actions side by side belong to."""
 
 STORY = "story"
 """The timeline along which a comparison plays one outcome after the other."""

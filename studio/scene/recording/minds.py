@@ -1,4 +1,8 @@
-"""The minds in a recording: how the teachers weigh probabilities and value gains and losses."""
+"""The minds in a recording: how the teachers weigh probabilities and value gains and losses.
+
+Each panel of curves is drawn in units of its own and stretched onto a page, on which it is 1 wide
+and 1 high; the panels stand side by side.
+"""
 
 from dataclasses import dataclass
 
@@ -16,7 +20,7 @@ from studio.style.palette import LIGHT
 from studio.style.words import number
 
 CURVES_PITCH, PANELS = 1.4, 4
-"""From the left of a panel, 1 wide and 1 high, to that of the next; how many panels there are."""
+"""From the left of a panel to that of the next; how many panels there are."""
 
 OUTCOMES_WEIGHED = 50
 """How many equally likely outcomes the decision weights are drawn for."""
@@ -27,7 +31,7 @@ LARGEST_UTILITY = 0.5
 
 @dataclass(frozen=True)
 class Panel:
-    """Where a figure that is drawn in its own units lies, and its axes.
+    """Where a panel lies, and its axes.
 
     Attributes:
         place: number of the panel, counted from the left.

@@ -1,7 +1,7 @@
 """How the teachers rank the actions, in a recording: where their minds part.
 
-The figure lies on a page of which a column takes two units. Where there are many actions, rows get
-lower and the figure no taller, so that its words keep their room.
+The figure lies on a page of its own, on which its texts are about 0.2 high. Where there are many
+actions, rows get lower and the figure no taller, so that its words keep their room.
 """
 
 from itertools import pairwise
@@ -18,7 +18,7 @@ from studio.style.palette import Theme
 from studio.style.words import number, short
 
 COLUMN_PITCH, ROW_PITCH, TALLEST_FIGURE = 2.0, 0.34, 2.4
-"""From one column to the next; from row to row where there is room; height of all rows together."""
+"""From column to column; from row to row where there is room; height of all rows at most."""
 
 HEADER = 0.36
 """How high above the first row the names of the teachers stand."""

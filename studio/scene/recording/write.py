@@ -66,7 +66,7 @@ def log_simulation(
     versions: dict[str, str],
     theme: Theme,
 ) -> None:
-    """Keep what was simulated and judged, from which a scene is read back, and turn figures up."""
+    """Keep what was simulated and judged: all that a scene is read back from."""
     log_simulation_properties(stream, rollouts, judgements, versions)
     log_ground(stream, entities.GROUND)
     log_world(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
@@ -76,8 +76,6 @@ def log_simulation(
         log_without_robot(stream, rollouts, theme)
     log_outcomes(stream, rollouts)
     log_judgements(stream, judgements)
-    # screens count y downwards, figures count it upwards
-    stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
 
 
 def log_simulation_properties(
@@ -118,6 +116,8 @@ def log_figures(
     theme: Theme,
 ) -> None:
     """Draw all figures."""
+    # screens count y downwards, figures count it upwards
+    stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
     log_distributions(stream, rollouts, theme)
     log_action_table(stream, rollouts, judgements, theme)
     log_prospects(stream, rollouts, judgements, theme)
