@@ -1,18 +1,20 @@
 """The page about a recording of two actions, in Markdown."""
 
 from studio.comparison.comparison import QUESTION, SIDES, Comparison
+from studio.recorder.markdown import plain
 from studio.scene.again import command_again, how_to_make_again
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.pages import outcome_table
-from studio.style.words import counted, number
+from studio.style.words import action_label, counted, number
 
 
 def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -> str:
     """What one sees in a comparison, what came of it, and how it was made."""
     rollouts = comparison.rollouts
     sides = [
-        f"* **{side}**: {action.name}, {number(action.speed)} m/s, {number(action.turn_rate)} rad/s"
+        f"* **{side}**: {plain(action_label(action.name))}, {number(action.speed)} m/s, "
+        f"{number(action.turn_rate)} rad/s"
         for side, action in zip(SIDES, rollouts.actions, strict=True)
     ]
     command = command_again(["studio", "compare", *rollouts.names], rollouts)

@@ -17,7 +17,7 @@ from studio.scene.measures import measures
 from studio.scene.recording import entities
 from studio.scene.recording.moving import rounded
 from studio.style.palette import LIGHT, Theme, blend
-from studio.style.words import number, short
+from studio.style.words import number, short_label
 
 COLUMN_WIDTH, ROW_HEIGHT, TALLEST_TABLE = 1.4, 0.45, 3.6
 """Width of a column, height of a row where there is room, and height of all rows at most."""
@@ -51,7 +51,7 @@ def log_action_table(
     heights = rows[:, None] + 0.6 * height * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
     for row, name in zip(rows, rollouts.names, strict=True):
-        drawing.text((-name_room(rollouts) / 2.0, row), short(name))
+        drawing.text((-name_room(rollouts) / 2.0, row), short_label(name))
     for column, measure in enumerate(measures(rollouts)):
         places = draw_column(drawing, column, measure.title, measure.values, rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
@@ -110,4 +110,4 @@ def row_height(actions: int) -> float:
 
 def name_room(rollouts: Rollouts) -> float:
     """How much room the names of the actions take beside the table."""
-    return 0.3 + NAME_LETTER * max(len(short(name)) for name in rollouts.names)
+    return 0.3 + NAME_LETTER * max(len(short_label(name)) for name in rollouts.names)

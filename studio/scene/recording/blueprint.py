@@ -18,7 +18,7 @@ from studio.scene.recording.minds import curves_bounds
 from studio.scene.recording.prospects import prospects_bounds
 from studio.scene.recording.ranks import ranks_bounds
 from studio.style.palette import LIGHT
-from studio.style.words import counted, short
+from studio.style.words import action_label, counted, short_label
 
 VIEW_SHAPE = (16, 9)
 """Shape that views of the world have on a common screen, width and height."""
@@ -48,8 +48,7 @@ def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Con
     """All actions in one world, what came of them, and what the teachers make of it."""
     names = rollouts.names
     contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
-    count = rollouts.count
-    title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
+    title = f"All actions, {counted(rollouts.count, 'rollout')} each (grid of 1 m)"
     return rrb.Horizontal(
         rrb.Vertical(
             world_view(contents, bounds, title),
@@ -68,19 +67,19 @@ def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Con
 
 def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
     """One action: its world, and how its outcomes are distributed."""
-    name, count = rollouts.names[index], rollouts.count
-    contacts = int(rollouts.touched[index].sum())
-    title = f"{name}: {counted(count, 'future')}, {contacts} with contact (grid of 1 m)"
+    name, contacts = rollouts.names[index], int(rollouts.touched[index].sum())
+    label, count = action_label(name), counted(rollouts.count, "rollout")
+    title = f"{label}: {count}, {contacts} with contact (grid of 1 m)"
     return rrb.Vertical(
         world_view([f"{entities.action(name)}/**"], bounds, title),
         figure_view(
             entities.distributions(name),
             distributions_bounds(rollouts),
-            f"{name}: outcomes by feature (red: with contact), and the gap to the nearest person "
+            f"{label}: outcomes by feature (red: with contact), and the gap to the nearest person "
             "(median, 10 to 90 %) over time",
         ),
         row_shares=[5, 2],
-        name=short(name),
+        name=short_label(name),
     )
 
 

@@ -11,7 +11,7 @@ from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities
 from studio.scene.recording.moving import time_columns
 from studio.style.palette import Theme
-from studio.style.words import short
+from studio.style.words import short_label
 
 
 def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
@@ -42,7 +42,7 @@ def log_gap(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> Non
         rr.SeriesLines(
             colors=[theme.action_colour(name) for name in rollouts.names],
             widths=2.0,
-            names=[short(name) for name in rollouts.names],
+            names=[short_label(name) for name in rollouts.names],
         ),
         static=True,
     )

@@ -13,7 +13,7 @@ from studio.recorder.markdown import link, plain, table
 from studio.scene.again import how_to_make_again, record_command
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.style.words import counted, number, short
+from studio.style.words import counted, number, short_label
 
 WAYS_OF_JUDGING = {
     "eu": "goes by the mean utility",
@@ -32,7 +32,7 @@ def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             "",
             f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
             f"{counted(rollouts.count, 'time')}. Balls are the robot (with an arrowhead) and the "
-            "people (grey) in the first of these futures, in true size; dots are those in the "
+            "people (grey) in the first of these rollouts, in true size; dots are those in the "
             "others. People react to the robot, so every action has its own. A robot is red once "
             "it has touched somebody or a wall; a cross marks where.",
             "",
@@ -42,7 +42,7 @@ def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
             "",
             _ways_of_judging(judgements),
             "",
-            "Gap to the nearest person: median over futures of the smallest; progress towards the "
+            "Gap to the nearest person: median over rollouts of the smallest; progress towards the "
             "goal: mean.",
         ]
     )
@@ -131,12 +131,12 @@ def _what_one_sees() -> list[str]:
     return [
         f"* {link('The world', entities.WORLD)} from above, on a grid of metres; the robot starts "
         "at the ring with the nose and is headed for the target.",
-        "* A coloured ball is the robot in the first future, and its arrowhead shows where it "
-        "faces; a grey ball is a person in that future, and bars join people who walk in a group. "
-        "Both are in true size. Dots are the robot and the people in the other futures.",
+        "* A coloured ball is the robot in the first rollout, and its arrowhead shows where it "
+        "faces; a grey ball is a person in that rollout, and bars join people who walk in a group. "
+        "Both are in true size. Dots are the robot and the people in the other rollouts.",
         "* A robot turns red at the step at which it first touches a person or a wall; a red cross "
         "marks where. Faint lines are the paths that robots take, a bold one is that of the first "
-        "future.",
+        "rollout.",
         "* Histograms count the outcomes by feature, in bins that all actions share, those with "
         "contact in red; the number at the upper left is the height of the tallest bar.",
         "* The gap over time is that between the robot and the nearest person: the median, and a "
@@ -194,7 +194,7 @@ def outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list
 def action_link(rollouts: Rollouts, index: int) -> str:
     """A link to the world under an action."""
     name = rollouts.names[index]
-    return link(plain(short(name)), entities.action(name))
+    return link(plain(short_label(name)), entities.action(name))
 
 
 def _disagreement(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:

@@ -16,7 +16,7 @@ from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.moving import rounded
 from studio.style.palette import LIGHT, Theme
-from studio.style.words import number, short
+from studio.style.words import number, short_label
 
 PROSPECT_PITCH = 1.3
 """From the left of a panel to that of the next."""
@@ -63,7 +63,7 @@ def log_prospects(
     raised, colours = second_level(names), [each.colour for each in judgements]
     for index, name in enumerate(names):
         left = index * PROSPECT_PITCH
-        drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short(name))
+        drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short_label(name))
         # the lowest line last: it would vanish in the peaks of the others
         for column in sorted(range(len(judgements)), key=lambda column: -weights[column].max()):
             heights = WEIGHT_HEIGHT * weight_scale(weights[column][index])
@@ -126,7 +126,7 @@ def name_teachers(drawing: Drawing, judgements: tuple[Judgement, ...], left: flo
 
 def second_level(names: tuple[str, ...]) -> float:
     """How much higher every other title is."""
-    return 0.3 if max(len(short(name)) for name in names) > LONGEST_TITLE else 0.0
+    return 0.3 if max(len(short_label(name)) for name in names) > LONGEST_TITLE else 0.0
 
 
 def prospects_bounds(names: tuple[str, ...]) -> Bounds:

@@ -15,7 +15,7 @@ from studio.scene.framing import Bounds
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.style.palette import Theme
-from studio.style.words import number, short
+from studio.style.words import number, short_label
 
 COLUMN_PITCH, ROW_PITCH, TALLEST_FIGURE = 2.0, 0.34, 2.4
 """From column to column; from row to row where there is room; height of all rows at most."""
@@ -59,7 +59,7 @@ def log_ranks(
         for name, y, next_y in zip(names, here, there, strict=True):
             width = 2.0 if y == next_y else 5.0
             drawing.line(bend(column, y, next_y), theme.action_colour(name), width)
-    for index, name in enumerate(map(short, names)):
+    for index, name in enumerate(map(short_label, names)):
         aside = 0.25 + NAME_LETTER_WIDTH * len(name) / 2
         drawing.text((-aside, levels[0][index]), name)
         if len(judgements) > 1:
@@ -85,7 +85,7 @@ def bend(column: int, level: float, next_level: float) -> FloatArray:
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the ranks must show."""
-    aside = 0.4 + NAME_LETTER_WIDTH * max(len(short(name)) for name in names)
+    aside = 0.4 + NAME_LETTER_WIDTH * max(len(short_label(name)) for name in names)
     bottom = -row_pitch(len(names)) * max(len(names), LEAST_ROWS)
     right = (teachers - 1) * COLUMN_PITCH + VALUE_LEFT + 0.2 + aside
     return -aside, bottom + 0.1, right, HEADER + 0.24

@@ -18,7 +18,7 @@ from studio.scene.recording.label_places import (
 )
 from studio.scene.recording.moving import PATH_STRIDE
 from studio.style.palette import Theme
-from studio.style.words import short
+from studio.style.words import short_label
 
 WALL_THICKNESS = 0.12
 """Thickness of the drawn walls, m; the simulated ones are lines."""
@@ -80,7 +80,7 @@ def log_labels(
     stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme
 ) -> None:
     """Write each action's name near where its paths end."""
-    labels = tuple(short(name) for name in rollouts.names)
+    labels = tuple(short_label(name) for name in rollouts.names)
     some = rollouts.robot[:, :MOST_PATHS_BESIDE_LABELS, ::PATH_STRIDE, :2]
     drawing = Drawing(lift=metres_per_pixel(bounds) * LABEL_HEIGHT / 2.0)
     ends = rollouts.robot[:, :, -1, :2].mean(axis=1)

@@ -21,6 +21,7 @@ from studio.recorder.stream import recording_to
 from studio.scene.judgements import Judgement, judge, utilities
 from studio.scene.recording.write import SCHEMA_VERSION, write_recording
 from studio.style.palette import ACTION_COLOURS, LIGHT
+from studio.style.words import action_label
 from tests.entities import read_blueprint, read_entities, verify
 from tests.studio.scene.made_up import make_rollouts
 
@@ -160,9 +161,9 @@ def test_ranks_are_those_of_the_values(recording: Path, rollouts: Rollouts) -> N
     words = figure["LineStrips2D:labels"][0]
     places = [strip[0] for strip in figure["LineStrips2D:strips"][0]]  # labels come first
     best_first = sorted(zip(words, places, strict=False), key=lambda label: -label[1][1])
-    names = [word for word, _ in best_first if word in {"forward", "slow_down"}]
+    names = [word for word, _ in best_first if word in {"forward", "slow down"}]
     by_eu, *_, by_strong = judge(rollouts)
-    expected = {rollouts.actions[by_eu.best].name, rollouts.actions[by_strong.best].name}
+    expected = {action_label(rollouts.names[each.best]) for each in (by_eu, by_strong)}
     assert set(names[:2]) == expected  # on the left and on the right
     for judgement in judge(rollouts):
         for worth in judgement.values:
@@ -242,7 +243,7 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
         "Prospects",
         "Minds",
         "About",
-        *(action.name for action in rollouts.actions),
+        *map(action_label, rollouts.names),
     } <= names
 
 
