@@ -8,10 +8,10 @@ import numpy as np
 from scenes import MetaAction, Rollouts
 from scenes.errors import LARGEST_SEED
 from studio.errors import InputError
-from studio.scene.selection import only
+from studio.scene.selection import only, places_of
 
 QUESTION = "Which would you rather the robot did?"
-"""What a comparison asks."""
+"""What a comparison asks the person who watches it."""
 
 SIDES = ("A", "B")
 """What the left and the right are called."""
@@ -28,7 +28,7 @@ SHORTEST_OUTCOME, LONGEST_OUTCOME = 0.1, 2.0
 MOVING = 0.8
 """Share of an outcome's time in which it moves; after that its end stands still."""
 
-ENDING = 3.0
+CLOSING = 3.0
 """How long the end is shown, s."""
 
 
@@ -63,24 +63,16 @@ def check_two(one: str, other: str, known: Sequence[str]) -> None:
     Raises:
         InputError: if there is no such action, or both are the same.
     """
-    for name in (one, other):
-        if name not in known:
-            raise InputError(f"action: {name!r} is not there: {', '.join(known)}")
+    places_of((one, other), known)
     if one == other:
         raise InputError(f"actions: {one!r} twice: two different ones are needed")
 
 
 def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparison:
-    """Put two actions side by side.
+    """Put two actions of a scene side by side.
 
     Which one comes to the left is random, so that no preference for a side passes for one for an
     action. It depends on the seed and on the two names, whichever of them is given first.
-
-    Args:
-        rollouts: of the scene under all its actions.
-        one: name of an action.
-        other: name of another.
-        seed: of the choice of sides.
 
     Raises:
         InputError: if there is no such action, both are the same, or the seed is not allowed.
@@ -100,10 +92,14 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
 
 
 def contacts_told(touched: int, ended: int, count: int) -> str:
-    """In how many outcomes there was contact, of those that have ended of so many.
+    """In how many outcomes there was contact, in words; nothing before the first has ended.
 
-    What is no final count does not read like one; before the first has ended there is nothing to
-    tell.
+    A count that is not final says so.
+
+    Args:
+        touched: how many of the outcomes that have ended had contact.
+        ended: how many outcomes have ended.
+        count: how many outcomes there are.
     """
     if ended == count:
         return f"{touched} of {count} with contact"
@@ -111,7 +107,7 @@ def contacts_told(touched: int, ended: int, count: int) -> str:
 
 
 def seconds_each(count: int) -> float:
-    """How long each of so many outcomes takes to play, s.
+    """How long each of `count` outcomes takes to play, s.
 
     Fifty take 0.4 s each, a pace at which people read such animations well (Hullman et al.,
     "Hypothetical outcome plots outperform error bars and violin plots", PLoS ONE 2015; Kale et

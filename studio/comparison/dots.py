@@ -14,31 +14,30 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenes import Rollouts
-from studio.arrays import FloatArray
+from studio.arrays import FloatArray, IntArray
 from studio.style.ticks import round_range
 
 BINS = 24
-"""Of a dot plot."""
+"""How many bins a dot plot has."""
 
 APART = 2
-"""So many bins at the left of a dot plot set its lowest value apart: its own, and an empty one."""
+"""How many bins at the left set the lowest value apart: one of its own, and an empty one."""
 
 DOT_RADIUS = 0.42
-"""Of a dot, in pitches; a pitch is the distance from one dot to the next."""
+"""Radius of a dot in pitches; a pitch is the distance from one dot to the next."""
 
 MOST_ROWS = 100
-"""Of dots in an icon array, and of dots abreast in a bin."""
+"""How many rows of dots an icon array has at most, and how many dots stand abreast in a bin."""
 
 
 @dataclass(frozen=True)
-class Measure:
+class DotMeasure:
     """What a dot plot shows of every outcome.
 
     Attributes:
-        names: what it is, with its unit, the longest wording first.
+        names: what is measured, with its unit, the longest wording first.
         values: [A, K].
         low: left end of the axis, 0 unless there are values below.
         high: right end of the axis.
@@ -52,7 +51,7 @@ class Measure:
     high: float
     apart: int = 0
 
-    def bins(self) -> NDArray[np.int64]:
+    def bins(self) -> IntArray:
         """The bin that each outcome falls into, [A, K]."""
         shares = (self.values - self.low) / (self.high - self.low)
         along = BINS - self.apart
@@ -76,18 +75,20 @@ class Measure:
         return [*own, (self.apart / BINS, 1.0)]
 
 
-def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
+def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
     """What to show of outcomes: progress, and the gap to people if there are any.
 
     A gap of 0, the robot touching somebody, is set apart from however small a gap.
     """
     progress, gap = rollouts.progress_m, rollouts.clearance_m
     ends = round_range(min(0.0, float(progress.min())), float(progress.max()))
-    shown = [Measure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)]
+    shown = [
+        DotMeasure(("progress towards the goal, m", "progress, m", "progress"), progress, *ends)
+    ]
     if rollouts.scene.pedestrians:
         ends = round_range(0.0, max(float(gap.max()), 0.1))
         names = ("smallest gap to a person, m", "gap to a person, m", "gap")
-        shown.append(Measure(names, gap, *ends, APART))
+        shown.append(DotMeasure(names, gap, *ends, APART))
     return tuple(shown)
 
 
@@ -95,13 +96,13 @@ def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
 class IconGrid:
     """An array of dots in columns: contacts fill it up from the left, the rest from the right.
 
-    So no dot ever changes its colour once it has one, and in the end the two meet. Lengths are in
-    the unit of the room that it was fitted to.
+    So no dot ever changes its colour once it has one, and in the end contacts and the rest meet.
+    Lengths are in the unit of the room that the array was fitted to.
 
     Attributes:
         count: how many outcomes there are.
         rows: how many dots a column has.
-        pitch: from one dot to the next.
+        pitch: distance from one dot to the next.
     """
 
     count: int
@@ -110,7 +111,7 @@ class IconGrid:
 
     @classmethod
     def fit(cls, width: float, height: float, count: int, largest_pitch: float) -> "IconGrid":
-        """The one with the largest dots."""
+        """The array with the largest dots."""
 
         def pitch(rows: int) -> float:
             return min(width / math.ceil(count / rows), height / rows, largest_pitch)
@@ -120,12 +121,12 @@ class IconGrid:
 
     @property
     def width(self) -> float:
-        """Of all columns."""
+        """Width of all columns together."""
         return math.ceil(self.count / self.rows) * self.pitch
 
     @property
     def height(self) -> float:
-        """Of a column."""
+        """Height of a column."""
         return self.rows * self.pitch
 
     def places(self) -> FloatArray:
@@ -139,30 +140,32 @@ class IconGrid:
 class DotScale:
     """How the dots of a measure are stacked, under every action alike.
 
-    Lengths are in the unit of the room that it was fitted to.
+    Lengths are in the unit of the room that the scale was fitted to.
 
     Attributes:
         bins: [A, K], the bin that each outcome falls into.
-        width: of a bin.
+        width: width of a bin.
         abreast: how many dots stand side by side in a bin.
-        pitch: from one dot to the next.
+        pitch: distance from one dot to the next.
     """
 
-    bins: NDArray[np.int64]
+    bins: IntArray
     width: float
     abreast: int
     pitch: float
 
     @classmethod
     def fit_all(
-        cls, shown: Sequence[Measure], width: float, height: float, largest_pitch: float
+        cls, shown: Sequence[DotMeasure], width: float, height: float, largest_pitch: float
     ) -> "list[DotScale]":
         """Scales of several measures with dots of one size, the largest that suits them all."""
         pitches = [cls.fit(measure, width, height, largest_pitch).pitch for measure in shown]
         return [cls.fit(measure, width, height, min(pitches)) for measure in shown]
 
     @classmethod
-    def fit(cls, measure: Measure, width: float, height: float, largest_pitch: float) -> "DotScale":
+    def fit(
+        cls, measure: DotMeasure, width: float, height: float, largest_pitch: float
+    ) -> "DotScale":
         """The scale with the largest dots at which the tallest stack stays in the room."""
         bins = measure.bins()
         tallest = max(int(np.bincount(row).max()) for row in bins)

@@ -1,19 +1,26 @@
-"""The command lines that make things again."""
+"""The command lines that make a simulation again, given its scene as a file."""
 
 import shlex
+from collections.abc import Sequence
 from dataclasses import fields
 
-from scenes import META_ACTIONS, Limits, Noise, Rollouts
+from scenes import META_ACTIONS, Limits, Noise, Rollouts, scene_to_toml
 from scenes.rollouts import DEFAULT_STEP
 
 
-def simulation_options(rollouts: Rollouts) -> str | None:
-    """The options with which a command simulates the same again, given the scene as a file.
+def record_command(rollouts: Rollouts) -> str | None:
+    """The command that records a scene again; None if no command does."""
+    has_all = rollouts.actions == META_ACTIONS
+    return command_again(["studio", "record"], rollouts) if has_all else None
 
-    It simulates all of `META_ACTIONS`, whether or not all of them are in the rollouts.
+
+def command_again(words: Sequence[str], rollouts: Rollouts) -> str | None:
+    """A command that begins with these words, and the options by which it simulates the same again.
+
+    Commands simulate all of `META_ACTIONS`, whether or not all of them are in the rollouts.
 
     Returns:
-        None if no command does: what is special about it can only be said from Python.
+        None if no options do: what is special about the simulation can only be said from Python.
     """
     is_usual = (
         set(rollouts.actions) <= set(META_ACTIONS)
@@ -30,27 +37,23 @@ def simulation_options(rollouts: Rollouts) -> str | None:
         given = getattr(rollouts.noise, field.name)
         if given != field.default:
             options += ["--noise", f"{field.name}={given!r}"]
-    return shlex.join(options)
+    return shlex.join([*words, *options])
 
 
-def how_to_make_again(rollouts: Rollouts, command: str | None) -> list[str]:
-    """Lines of Markdown that say how a recording is made again from its scene.
+def how_to_make_again(
+    rollouts: Rollouts, command: str | None, settings: Sequence[str]
+) -> list[str]:
+    """The lines of Markdown at the end of a page that say how its recording is made again.
 
-    Args:
-        rollouts: what was simulated.
-        command: the words before the options, for example `studio record`; None if no command
-            has these actions.
+    The command is None if no command does it; the settings are lines of Markdown as well.
     """
-    options = simulation_options(rollouts)
-    if command is None or options is None:
-        return [
+    name = rollouts.scene.name
+    if command is None:
+        told = [
             "No command does this: its actions, limits, step or angles are special. Simulate the "
             "scene below from Python with the settings that the properties of the recording hold.",
         ]
-    return [
-        f"Save the scene below as `{rollouts.scene.name}.toml`, then run",
-        "",
-        "```sh",
-        f"{command} {options}",
-        "```",
-    ]
+    else:
+        told = [f"Save the scene below as `{name}.toml`, then run", "", "```sh", command, "```"]
+    scene = ["```toml", scene_to_toml(rollouts.scene).rstrip(), "```"]
+    return ["## Make it again", "", *told, "", *settings, "", *scene]

@@ -1,24 +1,23 @@
 """Which part of the world a view shows."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenes import Rollouts
-from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import Bounds
+from studio.arrays import Bounds, FloatArray
+from studio.scene.measures import gaps_to_people
 
 SURROUNDINGS = 1.6
-"""What is shown around all that the robot may do, if there is anything, m."""
+"""How far the view reaches beyond everywhere the robot gets, if there is anything to see, m."""
 
 MARGIN = 0.4
 """Between the outermost thing and the edge of the view, m."""
 
 NEAR = 1.0
-"""A gap below which a person has to do with the robot, m."""
+"""Who comes closer to the robot than this gap matters to the view, m."""
 
 
 def bounds_to_show(rollouts: Rollouts) -> Bounds:
-    """Everywhere the robot gets under any action, and as much of the scene as lies near."""
+    """Everywhere the robot gets under any action, and what of the scene lies near to that."""
     paths = rollouts.robot[..., :2].reshape(-1, 2)
     low, high = paths.min(axis=0), paths.max(axis=0)
     x0, y0, x1, y1 = rollouts.scene.bounds
@@ -28,9 +27,9 @@ def bounds_to_show(rollouts: Rollouts) -> Bounds:
 
 
 def bounds_of_shape(rollouts: Rollouts, width: float, height: float) -> Bounds:
-    """The bounds to show, grown in one direction until width and height stand in this proportion.
+    """The bounds to show, grown in one direction until they have the shape of width to height.
 
-    They grow towards the robot's goal and towards where the people start who have to do with it.
+    They grow towards the robot's goal and towards where the people start who come near the robot.
     """
     x0, y0, x1, y1 = bounds_to_show(rollouts)
     low, high = np.array([x0, y0]), np.array([x1, y1])
@@ -45,10 +44,8 @@ def bounds_of_shape(rollouts: Rollouts, width: float, height: float) -> Bounds:
     return float(x0), float(y0), float(x1), float(y1)
 
 
-def _starts_of_those_near(rollouts: Rollouts) -> NDArray[np.float64]:
+def _starts_of_those_near(rollouts: Rollouts) -> FloatArray:
     """Where the people start [N, 2] who come near the robot in any rollout of any action, m."""
-    away = rollouts.pedestrians - rollouts.robot[:, :, :, None, :2]
-    reach = NEAR + ROBOT_RADIUS + PEDESTRIAN_RADIUS
-    near = (np.hypot(away[..., 0], away[..., 1]) < reach).any(axis=(0, 1, 2))
-    starts: NDArray[np.float64] = rollouts.scene.starts[near]
+    is_near = (gaps_to_people(rollouts) < NEAR).any(axis=(0, 1, 2))
+    starts: FloatArray = rollouts.scene.starts[is_near]
     return starts

@@ -1,12 +1,11 @@
 """Who of a group walks beside whom."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from studio.arrays import FloatArray
+from studio.arrays import FloatArray, IntArray
 
 
-def shortest_links(places: FloatArray) -> NDArray[np.int64]:
+def shortest_links(places: FloatArray) -> IntArray:
     """Pairs of people that join a whole group with the least length.
 
     Prim's algorithm ("Shortest Connection Networks and Some Generalizations", Bell System

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -55,17 +55,13 @@ class SceneRecording:
 
     def only(self, names: tuple[str, ...]) -> SceneRecording:
         """The recording as if these were all of its actions; the whole one without names."""
-        from studio.scene.selection import only
+        from studio.scene.selection import only, places_of
 
         if not names:
             return self
-        rollouts = only(self.rollouts, names)
-        places = [self.rollouts.names.index(name) for name in names]
-        judgements = tuple(
-            replace(each, values=each.values[places], best=int(each.values[places].argmax()))
-            for each in self.judgements
-        )
-        return SceneRecording(rollouts, judgements)
+        places = places_of(names, self.rollouts.names)
+        judgements = tuple(judgement.of(places) for judgement in self.judgements)
+        return SceneRecording(only(self.rollouts, names), judgements)
 
 
 def read(contents: Contents) -> SceneRecording:

@@ -19,6 +19,18 @@ _BY_ACTION = (
 """The arrays of rollouts whose first axis is the actions."""
 
 
+def places_of(names: Sequence[str], known: Sequence[str]) -> list[int]:
+    """Where actions of these names stand among the known ones.
+
+    Raises:
+        InputError: if there is no such action.
+    """
+    for name in names:
+        if name not in known:
+            raise InputError(f"action: {name!r} is not there: {', '.join(known)}")
+    return [known.index(name) for name in names]
+
+
 def only(rollouts: Rollouts, names: Sequence[str]) -> Rollouts:
     """The rollouts under the actions of these names alone, in the order of the names.
 
@@ -30,12 +42,9 @@ def only(rollouts: Rollouts, names: Sequence[str]) -> Rollouts:
     known = rollouts.names
     if not names:
         raise InputError(f"actions: none given, at least one is needed: {', '.join(known)}")
-    for name in names:
-        if name not in known:
-            raise InputError(f"action: {name!r} is not there: {', '.join(known)}")
+    places = places_of(names, known)
     if len(set(names)) < len(names):
         raise InputError(f"actions: {', '.join(names)}: each can be taken once")
-    places = [known.index(name) for name in names]
     arrays: dict[str, FloatArray] = {field: getattr(rollouts, field) for field in _BY_ACTION}
     taken = {field: array[places] for field, array in arrays.items()}
     for array in taken.values():

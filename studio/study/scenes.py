@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from studio.scene.again import simulation_options
+from studio.scene.again import record_command
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -70,13 +70,11 @@ def scenes_again(
 
 def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
     """The command lines that print the scene and record it."""
-    from scenes import META_ACTIONS
-
-    options = simulation_options(rollouts)
-    if options is None or rollouts.actions != META_ACTIONS:
+    record = record_command(rollouts)
+    if record is None:
         return ()
     scene = rollouts.scene
     shown = ["studio", "scenes", scene.family, "--pattern", scene.pattern]
     shown += ["--seed", str(plan.seed), "--number", str(scene.number)]
-    record = f"studio record {options} --no-png --no-mp4 --out {FOLDER}"
-    return f"{shlex.join(shown)} > {scene.name}.toml", record
+    printed = f"{shlex.join(shown)} > {scene.name}.toml"
+    return printed, f"{record} --no-png --no-mp4 --out {FOLDER}"

@@ -24,6 +24,11 @@ def learner_name(learner: str) -> str:
     return LEARNER_NAMES.get(learner, learner)
 
 
+def short_label(name: str) -> str:
+    """An action's label that fits into a figure."""
+    return short(action_label(name))
+
+
 def short(name: str) -> str:
     """A name that fits into a figure."""
     return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"

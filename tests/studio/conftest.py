@@ -1,7 +1,7 @@
-"""What the tests with real viewers and browsers share."""
+"""What the tests of recordings, viewers and browsers share."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -9,10 +9,20 @@ from typing import NoReturn
 
 import psutil
 import pytest
+import rerun as rr
 
 from studio.kinds import KINDS
 
 Missing = Callable[[str], NoReturn]
+
+
+@pytest.fixture
+def strict_rerun() -> Iterator[None]:
+    """Rerun raises errors instead of warning of them."""
+    before = rr.strict_mode()
+    rr.set_strict_mode(True)
+    yield
+    rr.set_strict_mode(before)
 
 
 @pytest.fixture(scope="session")

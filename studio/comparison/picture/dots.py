@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import BoolArray
-from studio.comparison.dots import BINS, DOT_RADIUS, DotScale, IconGrid, Measure
+from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconGrid
 from studio.painter.axes import Axis, draw_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
+from studio.scene.picture.titles import fit_text
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 
@@ -20,8 +21,8 @@ class IconArray:
     """One dot an outcome: those in contact fill up from the left, the rest from the right.
 
     Attributes:
-        box: what it takes up, px.
-        grid: where the dots lie in it.
+        box: the box that the array takes up, px.
+        grid: where the dots lie in the box.
     """
 
     box: Box
@@ -35,7 +36,7 @@ class IconArray:
         return cls(Box(room.left, top, room.left + grid.width, top + grid.height), grid)
 
     def draw(self, canvas: Canvas, touched: int, others: int, colour: Colour) -> None:
-        """Draw it when so many outcomes had contact and so many others had none."""
+        """Draw the array when `touched` outcomes had contact and `others` had none."""
         count, pitch = self.grid.count, self.grid.pitch
         colours = [canvas.theme.contact, canvas.theme.grid, blend(colour, canvas.theme.ground, 0.5)]
         numbers = [touched, count - touched - others, others]
@@ -57,14 +58,7 @@ class DotPlot:
     """One side's dots for one measure, which pile up as outcomes arrive; contacts lie below."""
 
     def __init__(self, room: Box, scale: DotScale, side: int, contact: BoolArray) -> None:
-        """Take where the dots go.
-
-        Args:
-            room: for the dots, px; they stand on its bottom, on the bare page.
-            scale: of the measure.
-            side: which row of the scale's bins.
-            contact: [K], which outcomes touched something.
-        """
+        """Stand the dots on the bottom of a bare room (px); contact [K] is that of the outcomes."""
         self._room, self._scale = room, scale
         self._bins, self._contact = scale.bins[side], contact
         self._drawn = np.zeros((2, BINS), np.int64)
@@ -111,7 +105,7 @@ class DotAxis(Axis):
         measure: what lies along it.
     """
 
-    measure: Measure
+    measure: DotMeasure
 
     def at(self, value: float) -> float:
         """Where a value lies, px."""
@@ -123,7 +117,7 @@ def has_dots(scale: DotScale) -> bool:
     return scale.pitch >= _SMALLEST_PITCH
 
 
-def draw_dot_axis(canvas: Canvas, room: Box, measure: Measure) -> None:
+def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     """Draw the axis under the room for dots (px), its ticks, and below them what it measures."""
     unit, small = canvas.unit, canvas.type.small
     for start, end in measure.lines():
@@ -132,6 +126,5 @@ def draw_dot_axis(canvas: Canvas, room: Box, measure: Measure) -> None:
     axis = DotAxis(measure.low, measure.high, room.left, room.right, measure)
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
-    name = canvas.fitted(measure.names, room.width, small)
-    at = (room.centre[0], top + 1.1 * small)
-    canvas.text(at, name, small, canvas.theme.ink, anchor="centre", line="top")
+    at, ink = (room.centre[0], top + 1.1 * small), canvas.theme.ink
+    fit_text(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")

@@ -9,16 +9,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from studio.arrays import FloatArray, PixelArray
-from studio.comparison.comparison import ENDING, MOVING, OPENING, Comparison, seconds_each
-from studio.comparison.picture.page import Page, Show, compose_comparison_picture, lay_out
+from studio.comparison.comparison import CLOSING, MOVING, OPENING, Comparison, seconds_each
+from studio.comparison.picture.page import (
+    ComparisonPage,
+    Show,
+    compose_comparison_picture,
+    lay_out_comparison,
+)
 from studio.errors import InputError
 from studio.painter.canvas import Canvas
 from studio.painter.segments import Segment
+from studio.scene.picture.titles import joined
 from studio.style.palette import LIGHT, Theme
 from studio.style.words import counted
 
 MOST_PLAYED = 300
-"""Of more outcomes only so many move; the paths of the others appear beside theirs."""
+"""How many outcomes move at most; the paths of further ones appear together with theirs."""
 
 _SEGMENTS = 6  # that the outcomes are cut into; each costs a key frame and draws what came before
 
@@ -32,20 +38,14 @@ def compose_comparison_film(
 ) -> list[Segment]:
     """The film as segments: both scenes at rest, the outcomes in parts, and the closing picture.
 
-    A film that does not begin with the first outcome does not show the scenes at rest, and one that
-    does not run to the last has no closing picture.
-
-    Args:
-        comparison: of two actions.
-        size: width and height, px; even.
-        frames_per_second: whole.
-        theme: of the page.
-        span: from which outcome to which it plays, the first being 1; all of them if left out.
+    Width and height (px) are even. The span is from which outcome to which the film plays, the
+    first being 1; without one it plays all. A film that does not begin with the first outcome does
+    not show the scenes at rest, and one that does not run to the last has no closing picture.
 
     Raises:
         InputError: if the size is not allowed, or there are no such outcomes.
     """
-    page = lay_out(comparison, size, theme)
+    page = lay_out_comparison(comparison, size, theme)
     count = comparison.rollouts.count
     pace = Pace.of(count, frames_per_second)
     first, last = span or (1, count)
@@ -54,10 +54,10 @@ def compose_comparison_film(
         raise InputError(
             f"--from, --to: outcomes {first:g} to {last:g} are not allowed: within 1 to {count}"
         )
-    opening, ending = round(OPENING * frames_per_second), round(ENDING * frames_per_second)
+    opening, ending = round(OPENING * frames_per_second), round(CLOSING * frames_per_second)
 
     def at_rest() -> Iterator[PixelArray]:
-        pixels = rest(page).pixels
+        pixels = scenes_at_rest(page).pixels
         return (pixels for _ in range(opening))
 
     def closing() -> Iterator[PixelArray]:
@@ -68,7 +68,7 @@ def compose_comparison_film(
     for part in np.array_split(np.array(turns), min(_SEGMENTS, len(turns))):
 
         def frames(part: range = range(part[0], part[-1] + 1)) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play(page, pace, part))
+            return (canvas.pixels for canvas in play_outcomes(page, pace, part))
 
         segments.append(Segment(len(part) * pace.frames, frames))
     return [*segments, Segment(ending, closing)] if last == count else segments
@@ -80,9 +80,9 @@ class Pace:
 
     Attributes:
         count: how many outcomes there are.
-        turns: how many of them move, one after the other.
-        frames: of each of these.
-        moving: frames in which it moves; in the rest it stands at its end.
+        turns: how many of the outcomes move, one after the other.
+        frames: how many frames each of these has.
+        moving: in how many of its frames an outcome moves; in the rest it stands at its end.
         frames_per_second: of the film.
     """
 
@@ -94,13 +94,13 @@ class Pace:
 
     @classmethod
     def of(cls, count: int, frames_per_second: int) -> "Pace":
-        """The pace at which so many outcomes are shown."""
+        """The pace at which `count` outcomes are shown."""
         turns = min(count, MOST_PLAYED)
         frames = max(1, round(seconds_each(turns) * frames_per_second))
         return cls(count, turns, frames, max(1, round(MOVING * frames)), frames_per_second)
 
     def shown(self, turns: int) -> int:
-        """How many outcomes have been shown after so many turns."""
+        """How many outcomes have been shown after a number of turns."""
         return turns * self.count // self.turns
 
     def times_real(self, horizon: float) -> float:
@@ -108,7 +108,7 @@ class Pace:
         return horizon * self.frames_per_second / self.moving
 
 
-def rest(page: Page) -> Canvas:
+def scenes_at_rest(page: ComparisonPage) -> Canvas:
     """Draw both scenes before anything happens."""
     show, count = Show(page), page.comparison.rollouts.count
     show.keep(0)
@@ -117,7 +117,7 @@ def rest(page: Page) -> Canvas:
     return show.canvas
 
 
-def play(page: Page, pace: Pace, turns: range) -> Iterator[Canvas]:
+def play_outcomes(page: ComparisonPage, pace: Pace, turns: range) -> Iterator[Canvas]:
     """Draw the frames of some turns.
 
     Yields:
@@ -128,11 +128,11 @@ def play(page: Page, pace: Pace, turns: range) -> Iterator[Canvas]:
     last = rollouts.steps
     moving: FloatArray = np.linspace(0.0, last, pace.moving + 1)[1:-1]
     speed = f"{float(f'{pace.times_real(rollouts.horizon):.2g}'):g}× real time"
-    red = " · red: contact" if rollouts.touched.any() else ""
+    red = "red: contact" if rollouts.touched.any() else ""
     for turn in turns:
         outcome = pace.shown(turn)
         told = f"Outcome {outcome + 1} of {pace.count}"
-        legends = [f"{told} · {speed}{red}", f"{told} · {speed}", told]
+        legends = joined((told, speed, red), (told, speed), (told,))
         show.write(legends)
         for step in moving.tolist():
             show.draw_outcome(outcome, step)

@@ -11,7 +11,7 @@ import numpy as np
 
 from scenes import Rollouts
 from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_told
-from studio.comparison.dots import DotScale, Measure, measures
+from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.comparison.picture.scene import OutcomeScene
 from studio.painter.boxes import Box
@@ -29,15 +29,17 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
+from studio.scene.picture.titles import draw_heading_in_line, fit_text, joined
 from studio.style.palette import LIGHT, Theme, contrast
 from studio.style.words import action_label, counted
 
 SIZE = (1600, 900)
-"""Of the picture unless one asks for another, px."""
+"""Width and height of the picture unless one asks for others, px."""
 
-_GAP = 48  # between the sides, in units of the reference page
-_DOTS = 150  # height of the room for dots, in units of the reference page
-_PITCH, _DOT_PITCH = 22, 15  # of icons and dots, at most, in units of the reference page
+# lengths on the reference page that the unit of a canvas belongs to
+_GAP = 48  # between the sides
+_DOTS = 150  # height of the room for dots
+_PITCH, _DOT_PITCH = 22, 15  # the largest distance from one icon to the next, and of dots
 
 
 def compose_comparison_picture(
@@ -45,18 +47,10 @@ def compose_comparison_picture(
 ) -> Canvas:
     """Draw the picture of a comparison: all outcomes of two actions, side by side.
 
-    Args:
-        comparison: of two actions.
-        size: width and height, px.
-        theme: of the page.
-
-    Returns:
-        The canvas, which holds the pixels and knows where its texts are.
-
     Raises:
         InputError: if the size is not allowed.
     """
-    page = lay_out(comparison, size, theme)
+    page = lay_out_comparison(comparison, size, theme)
     show = Show(page)
     show.keep(comparison.rollouts.count)
     show.write(legends(page))
@@ -69,31 +63,25 @@ def compose_comparison_picture(
 
 @dataclass(frozen=True)
 class Plot:
-    """The dots of a measure on both sides.
+    """The dots of a measure on both sides, and the room (px) that each side has for them."""
 
-    Attributes:
-        measure: what they show.
-        scale: how they are stacked.
-        rooms: for the dots, px, one a side.
-    """
-
-    measure: Measure
+    measure: DotMeasure
     scale: DotScale
     rooms: tuple[Box, ...]
 
 
 @dataclass(frozen=True)
-class Page:
-    """What all frames share; tuples have an entry a side.
+class ComparisonPage:
+    """What all frames share; views, icons and counts have an entry a side.
 
     Attributes:
         comparison: what is compared.
-        canvas: with everything drawn that never changes.
-        views: of the scene.
+        canvas: a canvas with everything drawn that never changes.
+        views: views of the scene.
         legend: the line below the scenes.
         icons: arrays of icons.
-        counts: where contacts are counted.
-        plots: of dots.
+        counts: where the number of contacts is told.
+        plots: the dot plots, one a measure.
     """
 
     comparison: Comparison
@@ -105,13 +93,14 @@ class Page:
     plots: tuple[Plot, ...]
 
 
-def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
-    """Draw what all frames share; arguments and errors as for `compose_comparison_picture`."""
+def lay_out_comparison(
+    comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT
+) -> ComparisonPage:
+    """Draw what all frames share; raises what `compose_comparison_picture` raises."""
     rollouts = comparison.rollouts
     canvas = Canvas(*size, theme.of(comparison.actions))
-    kind, unit = canvas.type, canvas.unit
-    page = canvas.page
-    top = _draw_title(canvas, page, rollouts) + 14 * unit
+    kind, unit, page = canvas.type, canvas.unit, canvas.page
+    top = _draw_title(canvas, rollouts) + 14 * unit
     columns = Box(page.left, top, page.right, page.bottom).columns([1.0, 1.0], _GAP * unit)
     head, line = 1.9 * kind.heading, 1.7 * kind.small
     icon_height = max(2 * _PITCH * unit, 1.5 * kind.heading)
@@ -139,24 +128,18 @@ def lay_out(comparison: Comparison, size: tuple[int, int], theme: Theme = LIGHT)
     draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
     dots = tuple(Box(column.left, dots_top, column.right, dots_bottom) for column in columns)
     plots = _draw_plots(canvas, dots, rollouts)
-    return Page(comparison, canvas, tuple(views), legend, tuple(icons), tuple(counts), plots)
+    return ComparisonPage(
+        comparison, canvas, tuple(views), legend, tuple(icons), tuple(counts), plots
+    )
 
 
-def _draw_title(canvas: Canvas, page: Box, rollouts: Rollouts) -> float:
+def _draw_title(canvas: Canvas, rollouts: Rollouts) -> float:
     """Ask the question, and say what is seen, along the top of the page; returns where it ends."""
-    kind = canvas.type
-    title = canvas.fitted(QUESTION, page.width, kind.title, SEMIBOLD)
-    at = (page.left, page.top)
-    box = canvas.text(at, title, kind.title, canvas.theme.ink, SEMIBOLD, line="top")
-    name, count = rollouts.scene.name, rollouts.count
-    outcomes = f"{counted(count, 'outcome')} of each, the next {rollouts.horizon:g} s"
+    outcomes = f"{counted(rollouts.count, 'outcome')} of each, the next {rollouts.horizon:g} s"
     luck = "same people and same luck on both sides"
-    told = [f"{name} · {outcomes} · {luck}", f"{outcomes} · {luck}", outcomes]
-    left = box.right + kind.heading
-    subtitle = canvas.fitted(told, page.right - left, kind.body)
-    at = (page.right, box.centre[1] + 0.1 * kind.title)
-    canvas.text(at, subtitle, kind.body, canvas.theme.faint, anchor="right")
-    return box.bottom
+    told = joined((rollouts.scene.name, outcomes, luck), (outcomes, luck), (outcomes,))
+    size = canvas.type.title
+    return draw_heading_in_line(canvas, [QUESTION], told, size, 0.1 * size).bottom
 
 
 def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
@@ -169,9 +152,8 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
     canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
     left = badge.right + 0.5 * kind.heading
-    text = canvas.fitted(action_label(name), box.right - left, kind.heading, SEMIBOLD)
-    ink = theme.legible(colour)
-    canvas.text((left, badge.centre[1]), text, kind.heading, ink, SEMIBOLD)
+    at, room, ink = (left, badge.centre[1]), box.right - left, theme.legible(colour)
+    fit_text(canvas, at, action_label(name), room, kind.heading, ink, SEMIBOLD)
 
 
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
@@ -192,7 +174,7 @@ def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
 
 def _draw_plots(canvas: Canvas, sides: tuple[Box, ...], rollouts: Rollouts) -> tuple[Plot, ...]:
     """Draw the axes of the measures, side by side on each side."""
-    shown, plots = measures(rollouts), []
+    shown, plots = dot_measures(rollouts), []
     rooms = [side.columns([1.0] * len(shown), _GAP * canvas.unit) for side in sides]
     room = rooms[0][0]
     scales = DotScale.fit_all(shown, room.width, room.height, _DOT_PITCH * canvas.unit)
@@ -203,34 +185,24 @@ def _draw_plots(canvas: Canvas, sides: tuple[Box, ...], rollouts: Rollouts) -> t
     return tuple(plots)
 
 
-def legends(page: Page) -> list[str]:
+def legends(page: ComparisonPage) -> list[str]:
     """What the marks in the picture mean, the longest wording first."""
     rollouts = page.comparison.rollouts
-    people = ["grey: people and their paths"] if rollouts.scene.pedestrians else []
+    people = "grey: people and their paths" if rollouts.scene.pedestrians else ""
     told_apart = all(has_dots(plot.scale) for plot in page.plots)
-    dots = ["a dot: one outcome"] if told_apart else []
-    contact = ["red: contact"] if rollouts.touched.any() else []
-    return [
-        " · ".join(parts)
-        for parts in (
-            ["Thin: the robot's paths", *people, *dots, *contact],
-            ["Thin: the robot's paths", *dots, *contact],
-            ["Thin: paths", *contact],
-        )
-    ]
+    dots = "a dot: one outcome" if told_apart else ""
+    red = "red: contact" if rollouts.touched.any() else ""
+    thin = "Thin: the robot's paths"
+    return joined((thin, people, dots, red), (thin, dots, red), ("Thin: paths", red))
 
 
 # What changes
 
 
 class Show:
-    """A page on which outcomes appear.
+    """A page on which outcomes appear; its canvas looks as the page does now."""
 
-    Attributes:
-        canvas: as it looks now.
-    """
-
-    def __init__(self, page: Page) -> None:
+    def __init__(self, page: ComparisonPage) -> None:
         self.canvas = page.canvas.copy()
         self._page = page
         rollouts = page.comparison.rollouts
@@ -268,15 +240,11 @@ class Show:
         canvas.texts[:] = page.canvas.texts
         for box, told in zip(page.counts, self._counts, strict=True):
             canvas.restore(page.canvas, box)
-            if not told:
-                continue
             ink = canvas.theme.faint if told.startswith("0 ") else canvas.theme.contact
-            at = (box.left, box.centre[1])
-            canvas.text(at, told, kind.heading, ink, SEMIBOLD)
+            canvas.text((box.left, box.centre[1]), told, kind.heading, ink, SEMIBOLD)
         canvas.restore(page.canvas, page.legend)
-        legend = canvas.fitted(legends, page.legend.width, kind.small)
-        at = (page.legend.left, page.legend.top + 1.25 * kind.small)
-        canvas.text(at, legend, kind.small, canvas.theme.faint, line="base")
+        at, room = (page.legend.left, page.legend.top + 1.25 * kind.small), page.legend.width
+        fit_text(canvas, at, legends, room, kind.small, canvas.theme.faint, line="base")
 
     def draw_at_rest(self) -> None:
         """Draw both scenes with everybody where the scene has them at the start."""

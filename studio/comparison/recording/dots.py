@@ -1,21 +1,21 @@
 """One action's outcomes as dots that gather along the story: contacts, progress, gaps.
 
-Drawn on a page of width 1; both sides have the same axes.
+They lie on a page whose unit is its width; both sides have the same axes.
 """
 
 from collections import defaultdict
 
 import numpy as np
 import rerun as rr
-from numpy.typing import NDArray
 
 from scenes import Rollouts
-from studio.arrays import Bounds, FloatArray
+from studio.arrays import BoolArray, Bounds, FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
-from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, measures
+from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
 from studio.scene.recording import entities
+from studio.scene.recording.moving import log_over_time
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks
 from studio.style.words import number
@@ -24,16 +24,16 @@ BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
 """What a view of the page must show."""
 
 ICONS_TOP, ICONS_HEIGHT, ICONS_WIDTH, ICON_PITCH = 0.32, 0.06, 0.72, 0.03
-"""Of the array of icons, whose pitch is at most this, in units of the page."""
+"""Where the array of icons lies, and how far apart its icons are at most."""
 
-DOTS_HEIGHT, DOT_PITCH, GAP = 0.21, 0.02, 0.08
-"""Of the dot plots, whose pitch is at most this, and between them, in units of the page."""
+DOTS_HEIGHT, DOT_PITCH, PLOT_GAP = 0.21, 0.02, 0.08
+"""Height of the dot plots, how far apart their dots are at most, and the gap between two plots."""
 
 COUNT_WIDTH = 0.22
-"""About the width of the words right of the icons, in units of the page."""
+"""About the width of the words right of the icons."""
 
 PLAYING_HEIGHT, COUNT_HEIGHT = 0.33, 0.29
-"""Where it says which outcome plays, and how many had contact, in units of the page."""
+"""Where it says which outcome plays, and how many had contact."""
 
 
 def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -52,11 +52,11 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
     places, colours, radii = [icons[ranks]], [shades], [radius]
     lowest = []
 
-    axes, shown = Drawing(lift=0.02), measures(rollouts)
-    width = (1.0 - GAP * (len(shown) - 1)) / len(shown)
+    axes, shown = Drawing(lift=0.02), dot_measures(rollouts)
+    width = (1.0 - PLOT_GAP * (len(shown) - 1)) / len(shown)
     scales = DotScale.fit_all(shown, width, DOTS_HEIGHT, DOT_PITCH)
     for column, (measure, scale) in enumerate(zip(shown, scales, strict=True)):
-        left = column * (width + GAP)
+        left = column * (width + PLOT_GAP)
         for start, end in measure.lines():
             ends_of_line = [(left + start * width, 0.0), (left + end * width, 0.0)]
             axes.line(ends_of_line, theme.faint, 1.0)
@@ -71,33 +71,25 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
         colours.append(np.where(alone[:, None], theme.contact, colour))
         radii.append(DOT_RADIUS * scale.pitch)
     axes.log(stream, path)
-    when = story_times(ends(len(contact)))
-    stream.log(f"{path}/outcomes", rr.Points2D.from_fields(draw_order=40.0), static=True)
-    stream.send_columns(
-        f"{path}/outcomes",
-        [when],
-        rr.Points2D.columns(
-            positions=np.stack(places, axis=1).reshape(-1, 2),
-            colors=np.stack(colours, axis=1).reshape(-1, 3).astype(np.uint8),
-            radii=np.tile(radii, len(contact)),
-        ).partition([len(places)] * len(contact)),
-    )
-    style = rr.Points2D.from_fields(colors=theme.contact, radii=radii[-1], draw_order=50.0)
-    stream.log(f"{path}/contacts", style, static=True)
-    stream.send_columns(
-        f"{path}/contacts",
-        [when],
-        rr.Points2D.columns(positions=np.stack(lowest, axis=1)[contact].reshape(-1, 2)).partition(
-            np.where(contact, len(lowest), 0)
-        ),
-    )
+    count, when = len(contact), [story_times(ends(len(contact)))]
+    dots = rr.Points2D.columns(
+        positions=np.stack(places, axis=1).reshape(-1, 2),
+        colors=np.stack(colours, axis=1).reshape(-1, 3).astype(np.uint8),
+        radii=np.tile(radii, count),
+    ).partition([len(places)] * count)
+    look = rr.Points2D.from_fields(draw_order=40.0)
+    log_over_time(stream, f"{path}/outcomes", when, [look], dots)
+    covers = np.stack(lowest, axis=1)[contact].reshape(-1, 2)
+    red = rr.Points2D.columns(positions=covers).partition(np.where(contact, len(lowest), 0))
+    look = rr.Points2D.from_fields(colors=theme.contact, radii=radii[-1], draw_order=50.0)
+    log_over_time(stream, f"{path}/contacts", when, [look], red)
     log_count(stream, f"{path}/count", contact, grid.width, theme)
 
 
 def log_count(
     stream: rr.RecordingStream,
     path: str,
-    contact: NDArray[np.bool_],
+    contact: BoolArray,
     left: float,
     theme: Theme,
 ) -> None:
@@ -114,24 +106,15 @@ def log_count(
         labels.append([playing, counted])
     when.append(OPENING + count * seconds_each(count))
     labels.append(["", counted])
-    stream.log(
-        path,
-        rr.LineStrips2D.from_fields(radii=0.0, colors=theme.ink, show_labels=True),
-        static=True,
-    )
+    look = rr.LineStrips2D.from_fields(radii=0.0, colors=theme.ink, show_labels=True)
     places = [[(middle, height)] * 2 for height in (PLAYING_HEIGHT, COUNT_HEIGHT)]
-    stream.send_columns(
-        path,
-        [story_times(np.array(when))],
-        rr.LineStrips2D.columns(
-            strips=places * len(labels), labels=[words for both in labels for words in both]
-        ).partition([2] * len(labels)),
-    )
+    words = rr.LineStrips2D.columns(
+        strips=places * len(labels), labels=[words for both in labels for words in both]
+    ).partition([2] * len(labels))
+    log_over_time(stream, path, [story_times(np.array(when))], [look], words)
 
 
-def piled_up(
-    scale: DotScale, side: int, contact: NDArray[np.bool_]
-) -> tuple[FloatArray, FloatArray]:
+def piled_up(scale: DotScale, side: int, contact: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Where dots appear when outcomes come one by one, so that contacts always lie below.
 
     Dots that are there stay. So every outcome puts a dot on top of its stack, and one with contact

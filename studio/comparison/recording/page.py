@@ -1,35 +1,37 @@
 """The page about a recording of two actions, in Markdown."""
 
-import shlex
-
-from scenes import scene_to_toml
 from studio.comparison.comparison import QUESTION, SIDES, Comparison
-from studio.scene.again import how_to_make_again
+from studio.recorder.markdown import plain
+from studio.scene.again import command_again, how_to_make_again
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.pages import outcome_table
-from studio.style.words import counted, number
+from studio.style.words import action_label, counted, number
 
 
 def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -> str:
     """What one sees in a comparison, what came of it, and how it was made."""
-    rollouts, scene = comparison.rollouts, comparison.rollouts.scene
-    count = rollouts.count
+    rollouts = comparison.rollouts
     sides = [
-        f"* **{side}**: {action.name}, {number(action.speed)} m/s, {number(action.turn_rate)} rad/s"
+        f"* **{side}**: {plain(action_label(action.name))}, {number(action.speed)} m/s, "
+        f"{number(action.turn_rate)} rad/s"
         for side, action in zip(SIDES, rollouts.actions, strict=True)
     ]
-    command = ["studio", "compare", comparison.left.name, comparison.right.name]
+    command = command_again(["studio", "compare", *rollouts.names], rollouts)
+    settings = [
+        f"The seed also chooses the sides, here {comparison.seed}. All other settings are "
+        "properties of the recording.",
+    ]
     return "\n".join(
         [
-            f"# {scene.name}",
+            f"# {rollouts.scene.name}",
             "",
             QUESTION,
             "",
             *sides,
             "",
-            f"Each was simulated {counted(count, 'time')} for {rollouts.horizon:g} s. The same "
-            "outcome plays on both sides at once, with the same people and the same luck: the "
+            f"Each was simulated {counted(rollouts.count, 'time')} for {rollouts.horizon:g} s. The "
+            "same outcome plays on both sides at once, with the same people and the same luck: the "
             "sides differ in nothing but the action. Which one is on the left is random.",
             "",
             "## What one sees",
@@ -48,15 +50,6 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
             "",
             *outcome_table(rollouts, judgements),
             "",
-            "## Make it again",
-            "",
-            *how_to_make_again(rollouts, shlex.join(command)),
-            "",
-            f"The seed also chooses the sides, here {comparison.seed}. All other settings are "
-            "properties of the recording.",
-            "",
-            "```toml",
-            scene_to_toml(scene).rstrip(),
-            "```",
+            *how_to_make_again(rollouts, command, settings),
         ]
     )

@@ -12,25 +12,25 @@ from numpy.typing import NDArray
 
 from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.arrays import FloatArray
-from studio.comparison.comparison import ENDING, MOVING, OPENING, seconds_each
+from studio.arrays import FloatArray, IntArray
+from studio.comparison.comparison import CLOSING, MOVING, OPENING, seconds_each
+from studio.scene.measures import touched_by
 from studio.scene.recording import entities
-from studio.scene.recording.world import (
+from studio.scene.recording.moving import (
     CONTACT_CLASS,
-    PATH_STRIDE,
     arrowheads,
-    bar_style,
     crosses,
-    group_bars,
+    log_over_time,
+    log_people,
+    path_corners,
     rounded,
-    strips,
 )
 from studio.style.palette import Theme, blend
 
 Number = TypeVar("Number", bound=np.generic)
 
 POSES = 20
-"""So many poses of an outcome are shown after its first; more would follow one another too fast."""
+"""How many poses of an outcome are shown after its first; more would pass too fast to see."""
 
 
 def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -46,78 +46,58 @@ def log_moving_robot(
 ) -> None:
     """Show the robot with an arrowhead, and the way that it has come in this outcome."""
     path = entities.story(rollouts.names[side])
-    colour = theme.action_colour(rollouts.names[side])
-    count, steps, when = rollouts.count, shown_steps(rollouts), moments(rollouts)
-    robot = rollouts.scene.robot
+    steps, when, robot = shown_steps(rollouts), [moments(rollouts)], rollouts.scene.robot
     rest = np.array([*robot.start, robot.start_heading])
-    poses = with_rest(rollouts.robot[side, :, steps].swapaxes(0, 1).reshape(-1, 3), rest)
-    contact_step = rollouts.contact_step[side, :, None]
-    touched = with_rest(((contact_step >= 0) & (steps >= contact_step)).ravel(), np.array(False))
-    places = rounded(poses[:, :2])
-    body = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
-    stream.log(f"{path}/robot", body, static=True)
-    stream.send_columns(
-        f"{path}/robot",
-        [when],
-        rr.Points2D.columns(positions=places, class_ids=np.where(touched, CONTACT_CLASS, side + 1)),
-    )
-    style = rr.LineStrips2D.from_fields(
+    poses = with_rest(rollouts.robot[side][:, steps].reshape(-1, 3), rest)
+    touched = touched_by(rollouts.contact_step[side][:, None], steps)  # (K, poses)
+    classes = np.where(with_rest(touched.ravel(), np.array(False)), CONTACT_CLASS, side + 1)
+    points = rr.Points2D.columns(positions=rounded(poses[:, :2]), class_ids=classes)
+    look = rr.Points2D.from_fields(radii=ROBOT_RADIUS, draw_order=30.0)
+    log_over_time(stream, f"{path}/robot", when, [look], points)
+    line = rr.LineStrips2D.from_fields(
         colors=theme.panel, radii=0.11 * ROBOT_RADIUS, draw_order=40.0
     )
-    stream.log(f"{path}/heading", style, static=True)
-    stream.send_columns(
-        f"{path}/heading", [when], rr.LineStrips2D.columns(strips=list(arrowheads(poses)))
-    )
-    ways = [
-        rollouts.robot[side, outcome, steps[: last + 1], :2]
-        for outcome in range(count)
-        for last in range(len(steps))
-    ]
-    nowhere = rest[None, :2]
+    arrows = rr.LineStrips2D.columns(strips=list(arrowheads(poses)))
+    log_over_time(stream, f"{path}/heading", when, [line], arrows)
+    ways = [way[steps[: last + 1]] for way in rollouts.robot[side] for last in range(len(steps))]
+    nowhere = rest[None]
     # a line takes two points
     strips = [
-        rounded(way if len(way) > 1 else way.repeat(2, axis=0))
+        rounded(way[:, :2] if len(way) > 1 else way[:, :2].repeat(2, axis=0))
         for way in (nowhere, *ways, nowhere, nowhere)
     ]
-    style = rr.LineStrips2D.from_fields(
-        colors=colour, radii=rr.Radius.ui_points(1.6), draw_order=25.0
+    line = rr.LineStrips2D.from_fields(
+        colors=theme.action_colour(rollouts.names[side]),
+        radii=rr.Radius.ui_points(1.6),
+        draw_order=25.0,
     )
-    stream.log(f"{path}/way", style, static=True)
-    stream.send_columns(f"{path}/way", [when], rr.LineStrips2D.columns(strips=strips))
+    log_over_time(stream, f"{path}/way", when, [line], rr.LineStrips2D.columns(strips=strips))
 
 
 def log_moving_people(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Show the people, and bars that join those of a group."""
-    path = f"{entities.story(rollouts.names[side])}/pedestrians"
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
-    places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
-    style = rr.Points2D.from_fields(
+    look = rr.Points2D.from_fields(
         radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
     )
-    look: list[rr.AsComponents] = [style]
-    moving = [
-        *rr.Points2D.columns(positions=rounded(places).reshape(-1, 2)).partition(
-            [places.shape[1]] * len(places)
-        )
-    ]
-    if rollouts.scene.groups:
-        bars = group_bars(rounded(places), rollouts.scene.groups)  # (moments, bars, 2, 2)
-        look.append(bar_style(theme))
-        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
-            [bars.shape[1]] * len(bars)
-        )
-    stream.log(path, *look, static=True)
-    stream.send_columns(path, [moments(rollouts)], moving)
+    log_people(
+        stream,
+        f"{entities.story(rollouts.names[side])}/pedestrians",
+        [moments(rollouts)],
+        with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts),
+        rollouts.scene.groups,
+        look,
+        theme,
+    )
 
 
 def log_gathering_paths(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Leave the path of each outcome behind when it ends, with a red cross if there was contact."""
-    name, last = rollouts.names[side], rollouts.steps
-    corners = np.unique([*range(0, last, PATH_STRIDE), last])
+    name, corners = rollouts.names[side], path_corners(rollouts)
     robot, contact_step = rounded(rollouts.robot[side, ..., :2]), rollouts.contact_step[side]
     faint = blend(theme.action_colour(name), theme.panel, 0.45)
     strips, colours, lengths = [], [], []
@@ -126,17 +106,14 @@ def log_gathering_paths(
         strips += [way[corners], *marks]
         colours += [faint, *[theme.contact] * len(marks)]
         lengths.append(1 + len(marks))
-    path = f"{entities.story(name)}/paths"
-    stream.log(path, rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8)), static=True)
-    stream.send_columns(
-        path,
-        [story_times(ends(len(robot)))],
-        rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths),
-    )
+    look = rr.LineStrips2D.from_fields(radii=rr.Radius.ui_points(0.8))
+    lines = rr.LineStrips2D.columns(strips=strips, colors=colours).partition(lengths)
+    when = [story_times(ends(len(robot)))]
+    log_over_time(stream, f"{entities.story(name)}/paths", when, [look], lines)
 
 
-def shown_steps(rollouts: Rollouts) -> NDArray[np.int64]:
-    """The steps of an outcome that are shown: all, or as many as there are poses."""
+def shown_steps(rollouts: Rollouts) -> IntArray:
+    """The steps of an outcome that are shown: all, or evenly spaced ones where there are many."""
     last = rollouts.steps
     return np.unique(np.rint(np.linspace(0, last, min(last, POSES) + 1)).astype(np.int64))
 
@@ -151,12 +128,12 @@ def moments(rollouts: Rollouts) -> rr.TimeColumn:
     shares = MOVING * shown_steps(rollouts) / last
     playing = OPENING + each * (np.arange(count)[:, None] + shares)
     over = OPENING + each * count
-    times = np.concatenate([[0.0], playing.ravel(), [over, over + ENDING]])
+    times = np.concatenate([[0.0], playing.ravel(), [over, over + CLOSING]])
     return story_times(times)
 
 
 def ends(count: int) -> FloatArray:
-    """When each of so many outcomes comes to its end, s of the story."""
+    """When each of K outcomes comes to its end, [K], s of the story."""
     places = np.arange(count, dtype=np.float64)
     times: FloatArray = OPENING + seconds_each(count) * (places + MOVING)
     return times
@@ -168,5 +145,5 @@ def story_times(seconds: FloatArray) -> rr.TimeColumn:
 
 
 def with_rest(rows: NDArray[Number], rest: NDArray[Number]) -> NDArray[Number]:
-    """The rows of all shown steps between one row of rest and two, as `moments` has them."""
+    """A row for each of the `moments`: one of rest, those of all shown steps, and two of rest."""
     return np.concatenate([rest[None], rows, rest[None], rest[None]])

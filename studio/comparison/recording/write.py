@@ -27,18 +27,13 @@ from studio.scene.recording.write import (
     log_simulation,
 )
 from studio.style.palette import LIGHT
-from studio.style.words import counted, short
+from studio.style.words import action_label, counted, short_label
 
 
 def write_comparison_recording(
     path: Path, comparison: Comparison, judgements: tuple[Judgement, ...]
 ) -> None:
-    """Write a recording of two actions side by side.
-
-    Args:
-        path: the `.rrd` file to write.
-        comparison: of the two actions.
-        judgements: what each teacher thinks of these two, left then right.
+    """Write a recording (`.rrd`) of two actions side by side, which are the two that are judged.
 
     Raises:
         OSError: if the file cannot be written.
@@ -49,7 +44,9 @@ def write_comparison_recording(
     name = f"{identity(rollouts)}-{comparison.seed}"
     blueprint = comparison_blueprint(comparison)
     with recording_to(path, entities.COMPARISON_APPLICATION, name, blueprint) as stream:
-        stream.send_recording_name(f"{rollouts.scene.name}: {left} or {right}")
+        stream.send_recording_name(
+            f"{rollouts.scene.name}: {action_label(left)} or {action_label(right)}"
+        )
         log_simulation(stream, rollouts, judgements, package_versions(), theme)
         stream.send_property(
             "comparison",
@@ -86,7 +83,7 @@ def story_side(comparison: Comparison, side: int) -> rrb.Container:
     world = drawn_view(
         [*fixed, f"{story}/**"],
         bounds_of_shape(rollouts, *VIEW_SHAPE),
-        f"{SIDES[side]}: {short(name)} (grid of 1 m)",
+        f"{SIDES[side]}: {short_label(name)} (grid of 1 m)",
         gathering([f"{story}/paths"], entities.STORY),
     )
     dot = "a dot: one outcome; red: contact"
@@ -104,7 +101,9 @@ def whole_side(comparison: Comparison, side: int) -> rrb.View:
     """All outcomes of one side at once."""
     rollouts = comparison.rollouts
     name = rollouts.names[side]
-    title = f"{SIDES[side]}: {short(name)}, all at once; they move along the timeline sim_time"
+    title = (
+        f"{SIDES[side]}: {short_label(name)}, all at once; they move along the timeline sim_time"
+    )
     return world_view(
         [f"{entities.action(name)}/**"], bounds_of_shape(rollouts, *VIEW_SHAPE), title
     )

@@ -14,6 +14,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths
 from studio.painter.pixels import disc_coverage, tinted
 from studio.painter.views import View
+from studio.scene.measures import touched_by
 from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 
@@ -28,7 +29,7 @@ def between(values: FloatArray, step: float) -> FloatArray:
     return between_them
 
 
-class Crowd:
+class MovingScene:
     """The scene in motion: all rollouts of one action as ghosts with trails, one in full."""
 
     def __init__(self, canvas: Canvas, view: View, rollouts: Rollouts, index: int) -> None:
@@ -53,7 +54,7 @@ class Crowd:
         places = view.to_pixels(poses) - self._corner
         canvas.pixels[:] = self._trails.drawn_to(step)
         ghosts = np.arange(len(poses)) != _TOLD_IN_FULL
-        touched = (self._contact_step >= 0) & (self._contact_step <= step)
+        touched = touched_by(self._contact_step, step)
         crowd = view.to_pixels(people[ghosts]).reshape(-1, 2) - self._corner
         self._ghost_people.draw(canvas.pixels, crowd, canvas.theme.pedestrian)
         self._ghost_robots.draw(canvas.pixels, places[ghosts & ~touched], self._colour)

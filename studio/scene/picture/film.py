@@ -21,9 +21,9 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.segments import Segment
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
-from studio.scene.picture.crowd import Crowd
+from studio.scene.picture.crowd import MovingScene
 from studio.scene.picture.page import compose_picture
-from studio.scene.picture.side import Side
+from studio.scene.picture.so_far import OutcomesSoFar
 from studio.scene.picture.stage import (
     draw_goal,
     draw_ground,
@@ -32,17 +32,24 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import subtitles, titles
+from studio.scene.picture.titles import (
+    contacts_counted,
+    draw_heading_in_line,
+    fit_text,
+    joined,
+    subtitles,
+    titles,
+)
 from studio.style.palette import LIGHT, Colour, Theme
 from studio.style.words import action_label
 
 LONGEST_ACTION = 2.0
-"""Playing one action takes no longer than this, s."""
+"""Playing one action takes no longer than this, s of the film."""
 
 PAUSE = 0.5
 """How long the end of an action stands still, s."""
 
-ENDING = 2.5
+CLOSING_PICTURE = 2.5
 """How long the closing picture is shown, s."""
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
@@ -58,20 +65,14 @@ def compose_film(
 ) -> list[Segment]:
     """The film as segments: one an action, and the closing picture.
 
-    A film that does not run to the end of the rollouts has no closing picture.
-
-    Args:
-        rollouts: of the scene under each action.
-        judgements: the teachers' values of these actions.
-        size: width and height, px; even.
-        frames_per_second: whole.
-        theme: of the page.
-        span: from when to when it plays, s of simulated time; all of it if left out.
+    Width and height (px) are even. The span is from when to when the film plays, in s of simulated
+    time; without one it plays all of it. A film that does not run to the end of the rollouts has no
+    closing picture.
 
     Raises:
         InputError: if the size is not allowed, or there is no such span of time.
     """
-    page = lay_out(rollouts, size, theme)
+    page = lay_out_film(rollouts, size, theme)
     start, end = span or (0.0, rollouts.horizon)
     if not 0.0 <= start < end <= rollouts.horizon:
         raise InputError(
@@ -83,12 +84,12 @@ def compose_film(
     for index in range(len(rollouts.actions)):
 
         def frames(index: int = index) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play(page, rollouts, index, times))
+            return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
 
         segments.append(Segment(len(times), frames))
     if end < rollouts.horizon:
         return segments
-    held = round(ENDING * frames_per_second)
+    held = round(CLOSING_PICTURE * frames_per_second)
 
     def ending() -> Iterator[PixelArray]:
         picture = compose_picture(rollouts, judgements, size, theme).pixels
@@ -106,13 +107,9 @@ def play_speed(horizon: float) -> float:
 
 
 def frame_times(start: float, end: float, speed: float, frames_per_second: int) -> FloatArray:
-    """The simulated time of each frame of an action, s, and its end once more for the pause.
+    """The simulated time of each frame of an action, s; the frames of the pause are at its end.
 
-    Args:
-        start: s of simulated time.
-        end: s of simulated time.
-        speed: how many times faster than real time.
-        frames_per_second: of the film.
+    The action plays from start to end (s), at this many times the speed of real time.
     """
     steps = max(1, round((end - start) / speed * frames_per_second))
     playing = np.linspace(start, end, steps + 1)
@@ -123,14 +120,14 @@ def frame_times(start: float, end: float, speed: float, frames_per_second: int) 
 
 
 @dataclass(frozen=True)
-class Page:
+class FilmPage:
     """What all frames share.
 
     Attributes:
-        canvas: with everything drawn that never changes.
-        view: of the scene.
-        side: the column beside it.
-        clock: the line below it.
+        canvas: a canvas with everything drawn that never changes.
+        view: the view of the scene.
+        side: the column beside the scene.
+        clock: the line below the scene.
         strip: one cell an action, at the foot of the page.
     """
 
@@ -141,22 +138,13 @@ class Page:
     strip: tuple[Box, ...]
 
 
-def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> Page:
-    """Draw what all frames share; arguments and errors as for `compose_film`."""
+def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> FilmPage:
+    """Draw what all frames share; raises what `compose_film` raises."""
     canvas = Canvas(*size, theme.of(rollouts.names))
-    kind, unit = canvas.type, canvas.unit
-    page = canvas.page
-    title = canvas.fitted(titles(rollouts), page.width, kind.heading, SEMIBOLD)
-    written = canvas.text(
-        (page.left, page.top), title, kind.heading, canvas.theme.ink, SEMIBOLD, line="top"
-    )
-    left = written.right + kind.heading
-    subtitle = canvas.fitted(subtitles(rollouts), page.right - left, kind.body)
-    canvas.text(
-        (page.right, written.centre[1]), subtitle, kind.body, canvas.theme.faint, anchor="right"
-    )
+    kind, unit, page = canvas.type, canvas.unit, canvas.page
+    title = draw_heading_in_line(canvas, titles(rollouts), subtitles(rollouts), kind.heading, 0.0)
     strip_height, clock_height = 2.9 * kind.body, 1.8 * kind.body
-    top = written.bottom + 14 * unit
+    top = title.bottom + 14 * unit
     strip = Box(page.left, page.bottom - strip_height, page.right, page.bottom)
     body = Box(page.left, top, page.right, strip.top - 14 * unit)
     scene, side = body.columns((1076, 416), canvas.gap)
@@ -171,28 +159,24 @@ def lay_out(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> 
     clock = Box(scene.left, panel.bottom, scene.right, scene.bottom)
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
-    return Page(canvas, view, side, clock, strip.columns([1.0] * count, 12 * unit))
+    return FilmPage(canvas, view, side, clock, strip.columns([1.0] * count, 12 * unit))
 
 
 # One action
 
 
-def play(page: Page, rollouts: Rollouts, index: int, times: FloatArray) -> Iterator[Canvas]:
-    """Draw the frames of one action.
-
-    Args:
-        page: what all frames share.
-        rollouts: of the scene under each action.
-        index: which action.
-        times: the simulated time of each frame, s; equal ones follow one another.
+def play_action(
+    page: FilmPage, rollouts: Rollouts, index: int, times: FloatArray
+) -> Iterator[Canvas]:
+    """Draw the frames of one action at times (s) that never go back.
 
     Yields:
         One and the same canvas, drawn anew for each frame.
     """
     canvas = page.canvas.copy()
     strip = _Strip(canvas, page.strip, rollouts, index)
-    side = Side(canvas, page.side, rollouts, index)
-    crowd = Crowd(canvas.clipped(page.view.box), page.view, rollouts, index)
+    so_far = OutcomesSoFar(canvas, page.side, rollouts, index)
+    scene = MovingScene(canvas.clipped(page.view.box), page.view, rollouts, index)
     still = canvas.copy()
     shown = -1.0
     for time in times:
@@ -201,8 +185,8 @@ def play(page: Page, rollouts: Rollouts, index: int, times: FloatArray) -> Itera
             # rounded, or the third step of 0.1 s would begin after 0.3 s
             step = round(shown / rollouts.dt, 6)
             canvas.texts[:] = still.texts
-            crowd.draw(step)
-            side.draw(still, step)
+            scene.draw(step)
+            so_far.draw(still, step)
             strip.draw(shown / rollouts.horizon)
             _draw_clock(canvas, still, page.clock, rollouts, shown)
         yield canvas
@@ -211,7 +195,7 @@ def play(page: Page, rollouts: Rollouts, index: int, times: FloatArray) -> Itera
 def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, time: float) -> None:
     """Write the time, and what it has to do with real time, below the scene."""
     canvas.restore(still, box)
-    size, count = canvas.type.small, rollouts.count
+    size, count, faint = canvas.type.small, rollouts.count, canvas.theme.faint
     clock = canvas.text(
         (box.left, box.centre[1]),
         f"{time:.1f} s of {rollouts.horizon:g} s",
@@ -220,16 +204,11 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
         SEMIBOLD,
     )
     speed = f"{play_speed(rollouts.horizon):g}× real time"
-    left = box.left + 9.5 * canvas.type.body
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
     red = "red: contact" if rollouts.touched.any() else ""
-    texts = [
-        " · ".join(part for part in parts if part)
-        for parts in ((speed, told, red), (speed, told), (speed,))
-    ]
-    left = max(left, clock.right + size)
-    text = canvas.fitted(texts, 0.8 * box.width - (left - box.left), size)
-    canvas.text((left, box.centre[1]), text, size, canvas.theme.faint)
+    left = max(box.left + 9.5 * canvas.type.body, clock.right + size)
+    room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
+    fit_text(canvas, at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
 
 
 class _Strip:
@@ -240,29 +219,21 @@ class _Strip:
     ) -> None:
         colours = [canvas.theme.action_colour(name) for name in rollouts.names]
         self._canvas, self._cell, self._colour = canvas, cells[index], colours[index]
-        kind, count = canvas.type, rollouts.count
+        kind, theme = canvas.type, canvas.theme
         for action, (cell, colour) in enumerate(zip(cells, colours, strict=True)):
-            self._draw_bar(cell, canvas.theme.grid, 1.0)
+            self._draw_bar(cell, theme.grid, 1.0)
             if action < index:
                 self._draw_bar(cell, colour, 1.0)
             name = action_label(rollouts.names[action])
-            ink = canvas.theme.legible(colour) if action <= index else canvas.theme.faint
-            canvas.text(
-                (cell.left, cell.top + 1.2 * kind.body),
-                canvas.fitted(name, cell.width, kind.body, SEMIBOLD),
-                kind.body,
-                ink,
-                SEMIBOLD,
-            )
+            ink = theme.legible(colour) if action <= index else theme.faint
+            at = (cell.left, cell.top + 1.2 * kind.body)
+            fit_text(canvas, at, name, cell.width, kind.body, ink, SEMIBOLD)
             if action < index:
                 touched = int(rollouts.touched[action].sum())
-                told = [f"{touched} of {count} contact", f"{touched} of {count}", f"{touched}"]
-                canvas.text(
-                    (cell.left, cell.top + 2.4 * kind.body),
-                    canvas.fitted(told, cell.width, kind.small),
-                    kind.small,
-                    canvas.theme.contact if touched else canvas.theme.faint,
-                )
+                told = [*contacts_counted(touched, rollouts.count), f"{touched}"]
+                at = (cell.left, cell.top + 2.4 * kind.body)
+                ink = theme.contact if touched else theme.faint
+                fit_text(canvas, at, told, cell.width, kind.small, ink)
 
     def draw(self, share: float) -> None:
         """Fill the bar of the action that is played up to this share."""

@@ -19,9 +19,9 @@ from studio.scene.picture.view import draw_scene
 from studio.style.palette import LIGHT, Theme
 
 SIZE = (1600, 900)
-"""Of the picture unless one asks for another, px."""
+"""Width and height of the picture unless one asks for others, px."""
 
-_STACKED = 1.5  # where the upper part is less wide than so many times its height
+_STACKED = 1.5  # an upper part that is narrower than this, in its heights, is stacked
 
 
 def compose_picture(
@@ -30,16 +30,7 @@ def compose_picture(
     size: tuple[int, int] = SIZE,
     theme: Theme = LIGHT,
 ) -> Canvas:
-    """Draw the picture of a scene.
-
-    Args:
-        rollouts: of the scene under each action.
-        judgements: the teachers' values of these actions.
-        size: width and height, px.
-        theme: of the page.
-
-    Returns:
-        The canvas, which holds the pixels and knows where its texts are.
+    """Draw the picture of a scene, of this width and height in px.
 
     Raises:
         InputError: if the size is not allowed.

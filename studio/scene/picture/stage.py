@@ -119,16 +119,12 @@ def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
 
 
 def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:
-    """Draw a scale bar and its length, for example under the view.
+    """Draw a bar that shows the scale of a view, and its length in words.
 
-    Args:
-        canvas: to draw on.
-        view: whose scale it shows.
-        right: where it ends, px.
-        baseline: of its text, px.
+    The words end at the right and stand on the baseline, px.
 
     Returns:
-        Where it begins, px.
+        Where the bar begins, px.
     """
     lengths = round_numbers(0.1, 5000.0)  # m
     room = 0.15 * view.box.width

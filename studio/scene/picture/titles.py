@@ -1,11 +1,12 @@
-"""What pictures and films say about themselves in words."""
+"""What pictures and films say in words, and how they fit it into their room."""
 
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.boxes import Box
+from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
-from studio.painter.lettering import SEMIBOLD
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.style.palette import Colour
 from studio.style.words import counted
 
 
@@ -39,32 +40,62 @@ def subtitles(rollouts: Rollouts) -> list[str]:
 def draw_heading(
     canvas: Canvas, page: Box, titles: Sequence[str], subtitles: Sequence[str], room: float
 ) -> Box:
-    """Write a title and a subtitle along the top of a page, each in the wording that fits.
+    """Write a title and below it a subtitle along the top of a page (px).
 
-    Args:
-        canvas: to draw on.
-        page: within whose top and sides they lie, px.
-        titles: the longest wording first.
-        subtitles: the longest wording first.
-        room: for the title, px from the left of the page.
+    Both are given in several wordings, the longest first. The title has some room (px) from the
+    left of the page on, the subtitle all of the page's width.
 
     Returns:
         The box of both, as wide as the page.
     """
-    kind = canvas.type
-    title = canvas.text(
-        (page.left, page.top),
-        canvas.fitted(titles, room, kind.title, SEMIBOLD),
-        kind.title,
-        canvas.theme.ink,
-        SEMIBOLD,
-        line="top",
-    )
-    subtitle = canvas.text(
-        (page.left, title.bottom + 4 * canvas.unit),
-        canvas.fitted(subtitles, page.width, kind.body),
-        kind.body,
-        canvas.theme.faint,
-        line="top",
-    )
+    kind, theme = canvas.type, canvas.theme
+    at = (page.left, page.top)
+    title = fit_text(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
+    at = (page.left, title.bottom + 4 * canvas.unit)
+    subtitle = fit_text(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
     return Box(page.left, page.top, page.right, subtitle.bottom)
+
+
+def draw_heading_in_line(
+    canvas: Canvas, titles: Sequence[str], subtitles: Sequence[str], size: int, lower: float
+) -> Box:
+    """Write a title of this size (px) at the left and a subtitle at the right of the page's top.
+
+    Both are given in several wordings, the longest first. The subtitle stands a little lower (px).
+
+    Returns:
+        The box of the title.
+    """
+    page, theme = canvas.page, canvas.theme
+    at = (page.left, page.top)
+    title = fit_text(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
+    room = page.right - title.right - canvas.type.heading
+    at = (page.right, title.centre[1] + lower)
+    fit_text(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
+    return title
+
+
+def fit_text(
+    canvas: Canvas,
+    at: Point,
+    wordings: str | Sequence[str],
+    room: float,
+    size: int,
+    colour: Colour,
+    weight: int = REGULAR,
+    anchor: str = "left",
+    line: str = "middle",
+) -> Box:
+    """Set the first wording that is no wider than the room (px), else as `Canvas.text` does."""
+    fitting = canvas.fitted(wordings, room, size, weight)
+    return canvas.text(at, fitting, size, colour, weight, anchor, line)
+
+
+def joined(*wordings: Sequence[str]) -> list[str]:
+    """Wordings of one line, each made of parts, of which empty ones are left out."""
+    return [" · ".join(part for part in parts if part) for parts in wordings]
+
+
+def contacts_counted(touched: int, count: int, so_far: str = "") -> list[str]:
+    """In how many of `count` rollouts there was contact, the longest wording first."""
+    return [f"{touched} of {count} contact{so_far}", f"{touched} of {count}{so_far}"]

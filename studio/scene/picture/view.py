@@ -15,6 +15,7 @@ from studio.painter.lettering import REGULAR, SEMIBOLD
 from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
+from studio.scene.measures import first_contacts
 from studio.scene.picture.stage import (
     draw_contacts,
     draw_goal,
@@ -28,6 +29,7 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
+from studio.scene.picture.titles import fit_text, joined
 from studio.style.palette import blend
 from studio.style.words import action_label
 
@@ -39,11 +41,7 @@ def draw_scene(
 ) -> None:
     """Draw the scene and a caption below it.
 
-    Args:
-        canvas: to draw on.
-        box: where, px.
-        rollouts: of the scene under each action.
-        judgements: the teachers' picks are named even where not every action can be.
+    Where not every action can be named, those are that a teacher would pick.
     """
     scene, unit = rollouts.scene, canvas.unit
     caption_height = 1.5 * canvas.type.small
@@ -57,14 +55,15 @@ def draw_scene(
     colours = [theme.action_colour(name) for name in rollouts.names]
     draw_ground(inside, view)
     grey = blend(theme.pedestrian, theme.panel, 0.8)
-    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.robot.shape[2], 2)
+    people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.steps + 1, 2)
     draw_faint_paths(inside, view.to_pixels(people), grey, pen, 0.6 * opacity)
     for index, paths in enumerate(rollouts.robot):
         draw_faint_paths(inside, view.to_pixels(paths), colours[index], pen, opacity)
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)
-    _draw_contacts(inside, view, rollouts)
+    for index in range(len(rollouts.actions)):
+        draw_contacts(inside, view, first_contacts(rollouts, index))
     medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
     for index, median in enumerate(medians):
         inside.line(median, canvas.theme.panel, 6 * unit)
@@ -83,15 +82,8 @@ def draw_scene(
     draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel, seen)
     small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
-    caption = canvas.fitted(_captions(rollouts), end - box.left, small)
-    canvas.text((box.left, baseline), caption, small, canvas.theme.faint, line="base")
-
-
-def _draw_contacts(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
-    """Mark where the robot first touches something."""
-    for paths, steps in zip(rollouts.robot, rollouts.contact_step, strict=True):
-        touching = np.flatnonzero(steps >= 0)
-        draw_contacts(canvas, view, paths[touching, steps[touching]])
+    at, room = (box.left, baseline), end - box.left
+    fit_text(canvas, at, _captions(rollouts), room, small, theme.faint, line="base")
 
 
 def _scene_labels(
@@ -133,21 +125,16 @@ def _scene_labels(
 
 def _captions(rollouts: Rollouts) -> list[str]:
     """What the marks in the scene mean, the longest wording first."""
-    scene = rollouts.scene
-    people, paths = ([], [])
-    if scene.pedestrians:
-        people, paths = ["grey: people"], ["grey: people and their paths without the robot"]
-    groups = ["joined: groups"] if scene.groups else []
-    contact = rollouts.touched.any()
-    first, red = (["red: first contact"], ["red: contact"]) if contact else ([], [])
+    people = "grey: people" if rollouts.scene.pedestrians else ""
+    paths = people and f"{people} and their paths without the robot"
+    groups = "joined: groups" if rollouts.scene.groups else ""
+    red = "red: contact" if rollouts.touched.any() else ""
+    first = red and "red: first contact"
     every, brief = "Thin: every rollout · bold: median", "Thin: rollouts · bold: median"
-    return [
-        " · ".join(parts)
-        for parts in (
-            [every, *paths, *groups, *first],
-            [every, *people, *groups, *first],
-            [brief, *people, *groups, *red],
-            [brief, *people, *red],
-            ["Bold: median", *people, *red],
-        )
-    ]
+    return joined(
+        (every, paths, groups, first),
+        (every, people, groups, first),
+        (brief, people, groups, red),
+        (brief, people, red),
+        ("Bold: median", people, red),
+    )

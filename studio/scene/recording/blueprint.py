@@ -6,12 +6,13 @@ from scenes import Rollouts
 from studio.arrays import Bounds
 from studio.recorder.views import drawn_view, figure_view, opening, page_view
 from studio.scene.recording import entities
+from studio.scene.recording.action_table import action_table_bounds
+from studio.scene.recording.distributions import distributions_bounds
 from studio.scene.recording.minds import curves_bounds
-from studio.scene.recording.outcomes import comparison_bounds, distributions_bounds
 from studio.scene.recording.prospects import prospects_bounds
 from studio.scene.recording.ranks import ranks_bounds
 from studio.style.palette import LIGHT
-from studio.style.words import counted, short
+from studio.style.words import action_label, counted, short_label
 
 VIEW_SHAPE = (16, 9)
 """Shape that views of the world have on a common screen, width and height."""
@@ -21,7 +22,7 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
     """The tabs of a recording: overview, one an action, prospects, minds, about."""
     return opening(
         [
-            overview_tab(rollouts, teachers, bounds),
+            scene_overview(rollouts, teachers, bounds),
             *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
             prospects_tab(rollouts, teachers),
             minds_tab(rollouts, teachers),
@@ -31,21 +32,20 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
     )
 
 
-def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
+def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
     """All actions in one world, what came of them, and what the teachers make of it."""
     names = rollouts.names
     contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
-    count = rollouts.count
-    title = f"All actions, {counted(count, 'future')} each (grid of 1 m)"
+    title = f"All actions, {counted(rollouts.count, 'rollout')} each (grid of 1 m)"
     return rrb.Horizontal(
         rrb.Vertical(
             world_view(contents, bounds, title),
-            comparison_view(rollouts, teachers),
+            action_table_view(rollouts, teachers),
             row_shares=[3, 2],
         ),
         rrb.Vertical(
             page_view(entities.SUMMARY, "Summary"),
-            *([clearance_view()] if rollouts.scene.pedestrians else []),
+            *([gap_view()] if rollouts.scene.pedestrians else []),
             row_shares=[5, 2] if rollouts.scene.pedestrians else [1],
         ),
         column_shares=[5, 3],
@@ -55,26 +55,26 @@ def overview_tab(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Conta
 
 def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
     """One action: its world, and how its outcomes are distributed."""
-    name, count = rollouts.names[index], rollouts.count
-    contacts = int(rollouts.touched[index].sum())
-    title = f"{name}: {counted(count, 'future')}, {contacts} with contact (grid of 1 m)"
+    name, contacts = rollouts.names[index], int(rollouts.touched[index].sum())
+    label, count = action_label(name), counted(rollouts.count, "rollout")
+    title = f"{label}: {count}, {contacts} with contact (grid of 1 m)"
     return rrb.Vertical(
         world_view([f"{entities.action(name)}/**"], bounds, title),
         figure_view(
             entities.distributions(name),
             distributions_bounds(rollouts),
-            f"{name}: outcomes by feature (red: with contact), and the gap to the nearest person "
+            f"{label}: outcomes by feature (red: with contact), and the gap to the nearest person "
             "(median, 10 to 90 %) over time",
         ),
         row_shares=[5, 2],
-        name=short(name),
+        name=short_label(name),
     )
 
 
 def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     """The outcomes of all actions side by side, and how much each counts to the teachers."""
     return rrb.Vertical(
-        comparison_view(rollouts, teachers),
+        action_table_view(rollouts, teachers),
         figure_view(
             entities.PROSPECTS,
             prospects_bounds(rollouts.names),
@@ -123,16 +123,16 @@ def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
     return drawn_view([*fixed, *contents], bounds, title)
 
 
-def comparison_view(rollouts: Rollouts, teachers: int) -> rrb.View:
-    """The table that compares all actions."""
+def action_table_view(rollouts: Rollouts, teachers: int) -> rrb.View:
+    """The action table."""
     title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
-    return figure_view(entities.COMPARISON, comparison_bounds(rollouts, teachers), title)
+    return figure_view(entities.ACTION_TABLE, action_table_bounds(rollouts, teachers), title)
 
 
-def clearance_view() -> rrb.View:
-    """Median clearance over time under every action."""
+def gap_view() -> rrb.View:
+    """The median gap to the nearest person over time under every action."""
     return rrb.TimeSeriesView(
-        origin=f"/{entities.CLEARANCE}",
+        origin=f"/{entities.GAP}",
         name="median gap to the nearest person, m (colours as on the left)",
         plot_legend=rrb.PlotLegend(visible=False),
         # Rerun's grid is black on light ground

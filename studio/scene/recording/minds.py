@@ -1,7 +1,10 @@
-"""The minds in a recording: how the teachers weigh probabilities and value gains and losses."""
+"""The minds in a recording: how the teachers weigh probabilities and value gains and losses.
+
+Each panel of curves is drawn in units of its own and stretched onto a page, on which it is 1 wide
+and 1 high; the panels stand side by side.
+"""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import rerun as rr
@@ -11,33 +14,30 @@ from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.style.palette import LIGHT, teacher_colour
+from studio.style.palette import LIGHT
 from studio.style.ticks import round_ticks
-from studio.style.words import number, teacher_name
+from studio.style.words import number
 
-PANEL_PITCH = 1.4
-"""From the left of a panel to that of the next; a panel is 1 wide and 1 high."""
+CURVES_PITCH, PANELS = 1.4, 4
+"""From the left of a panel to that of the next; how many panels there are."""
 
-PANELS = 4
-"""How many panels there are side by side."""
-
-RANKS = 50
-"""The decision weights are drawn for so many equally likely outcomes."""
+OUTCOMES_WEIGHED = 50
+"""How many equally likely outcomes the decision weights are drawn for."""
 
 LARGEST_UTILITY = 0.5
-"""The value curves are drawn from minus to plus this, in units of utility."""
+"""The value curves are drawn from minus this utility to plus this utility."""
 
 
 @dataclass(frozen=True)
 class Panel:
-    """Where a figure that is drawn in its own units lies, and its axes.
+    """Where a panel lies, and its axes.
 
     Attributes:
-        place: among the panels, counted from the left.
+        place: number of the panel, counted from the left.
         title: what the curves are.
         across: what is counted across, in words.
-        x: ticks across, from the lowest value to the highest.
-        y: ticks upwards, from the lowest value to the highest.
+        x: ticks across, ascending, from one end of the panel to the other.
+        y: ticks upwards, ascending, from the bottom of the panel to its top.
     """
 
     place: int
@@ -55,12 +55,6 @@ class Panel:
     def height(self) -> float:
         """From the lowest value upwards to the highest."""
         return self.y[-1] - self.y[0]
-
-
-def log_judgements(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
-    """Keep the value of every action to every teacher."""
-    values: dict[str, Any] = {judgement.teacher: judgement.values for judgement in judgements}
-    stream.log(entities.JUDGEMENTS, rr.AnyValues(**values), static=True)
 
 
 def log_curves(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
@@ -88,14 +82,16 @@ def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement
 
     The worse half are losses, the better half are gains. A weight of 1 is that of the probability.
     """
-    places = np.arange(0.5, RANKS)
-    utilities = places - RANKS / 2.0
-    curves = [RANKS * decision_weights(utilities, each.parameters) for each in judgements]
+    places = np.arange(0.5, OUTCOMES_WEIGHED)
+    utilities = places - OUTCOMES_WEIGHED / 2.0
+    curves = [
+        OUTCOMES_WEIGHED * decision_weights(utilities, each.parameters) for each in judgements
+    ]
     panel = Panel(
         2,
         "decision weight × 50",
         "rank",
-        (0.0, RANKS / 2.0, float(RANKS)),
+        (0.0, OUTCOMES_WEIGHED / 2.0, float(OUTCOMES_WEIGHED)),
         round_ticks(0.0, float(np.max(curves))),
     )
     log_panel(stream, entities.DECISION_WEIGHTS, panel, judgements, places, curves)
@@ -129,7 +125,7 @@ def log_panel(
     stream.log(
         figure,
         rr.Transform3D(
-            translation=[panel.place * PANEL_PITCH - left * across, -bottom * up, 0.0],
+            translation=[panel.place * CURVES_PITCH - left * across, -bottom * up, 0.0],
             scale=[across, up, 1.0],
         ),
         static=True,
@@ -145,17 +141,17 @@ def log_panel(
         drawing.text((left - 0.1 * panel.width, tick), number(tick))
     # the lowest curve last: it would vanish in the peaks of the others
     for row in sorted(range(len(judgements)), key=lambda row: -curves[row].max()):
-        colour = teacher_colour(judgements[row].teacher)
+        colour = judgements[row].colour
         drawing.line(np.stack([x, curves[row]], axis=-1), colour, 4.0)
         if has_key:
             y = top - (0.09 + 0.12 * row) * panel.height
             drawing.line(
                 [(left + 0.04 * panel.width, y), (left + 0.13 * panel.width, y)], colour, 4.0
             )
-            drawing.text((left + 0.29 * panel.width, y), teacher_name(judgements[row].teacher))
+            drawing.text((left + 0.29 * panel.width, y), judgements[row].label)
     drawing.log(stream, figure)
 
 
 def curves_bounds() -> Bounds:
     """What a view of the four panels must show."""
-    return -0.2, -0.21, (PANELS - 1) * PANEL_PITCH + 1.08, 1.18
+    return -0.2, -0.21, (PANELS - 1) * CURVES_PITCH + 1.08, 1.18

@@ -1,53 +1,48 @@
 """The pages of a recording, in Markdown: what one sees, and how to make it again."""
 
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import combinations
 
 import numpy as np
 
-from learners import REWARD
-from scenes import FEATURES, META_ACTIONS, Rollouts, scene_to_toml
-from studio.scene.again import how_to_make_again
+from learners import REWARD, CptParameters
+from scenes import FEATURES, Rollouts
+from studio.recorder.markdown import link, plain, table
+from studio.scene.again import how_to_make_again, record_command
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.scene.recording.ranks import discordant_pairs
-from studio.style.words import counted, number, short, teacher_name
+from studio.style.words import counted, number, short_label
 
 WAYS_OF_JUDGING = {
     "eu": "goes by the mean utility",
     "tk": "by cumulative prospect theory with the parameters that Tversky and Kahneman measured",
     "strong": "by more extreme ones",
 }
-"""How the usual teachers judge, in the order in which they are told."""
+"""How the usual teachers judge: halves of sentences, of which each goes on from the one before."""
 
 
-def summary_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
+def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
     """What to look at first: the actions in a table, and which one each teacher picks."""
-    scene, count = rollouts.scene, rollouts.count
-    picks = [
-        f"**{teacher_name(judgement.teacher)}** picks {_link(rollouts, judgement.best)}"
-        for judgement in judgements
-    ]
+    picks = [f"**{each.label}** picks {action_link(rollouts, each.best)}" for each in judgements]
     return "\n".join(
         [
-            f"# {scene.name}",
+            f"# {rollouts.scene.name}",
             "",
             f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
-            f"{counted(count, 'time')}. Balls are the robot (with an arrowhead) and the people "
-            "(grey) in the first of these futures, in true size; dots are those in the others. "
-            "People react to the robot, so every action has its own. A robot is red once it has "
-            "touched somebody or a wall; a cross marks where.",
+            f"{counted(rollouts.count, 'time')}. Balls are the robot (with an arrowhead) and the "
+            "people (grey) in the first of these rollouts, in true size; dots are those in the "
+            "others. People react to the robot, so every action has its own. A robot is red once "
+            "it has touched somebody or a wall; a cross marks where.",
             "",
             *outcome_table(rollouts, judgements),
             "",
             f"{'; '.join(picks)}.{_disagreement(rollouts, judgements)}",
             "",
-            _minds(judgements),
+            _ways_of_judging(judgements),
             "",
-            "Gap to the nearest person: median over futures of the smallest; progress towards the "
+            "Gap to the nearest person: median over rollouts of the smallest; progress towards the "
             "goal: mean.",
         ]
     )
@@ -58,92 +53,56 @@ def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) ->
     pairs_in_all = math.comb(len(rollouts.actions), 2)
     if len(judgements) < 2 or not pairs_in_all:
         return "It takes two teachers and two actions to disagree."
-    lines = [
-        f"How many pairs of actions, of {pairs_in_all}, two teachers order differently, and how "
-        "much value the second one loses by doing what the first one picks.",
-        "",
-        "| teachers | pairs | loss |",
-        "|:--|--:|--:|",
-    ]
-    details = []
+    counts, details = [], []
     for one, other in combinations(judgements, 2):
-        pairs = discordant_pairs(one.values, other.values)
+        pairs = one.discordant_pairs(other)
         loss = number(other.values[other.best] - other.values[one.best], ".3f")
-        first, second = teacher_name(one.teacher), teacher_name(other.teacher)
-        lines.append(f"| {first}, {second} | {len(pairs)} | {loss} |")
+        counts.append((f"{one.label}, {other.label}", str(len(pairs)), loss))
         if pairs:
-            details += ["", f"| {first} prefers | {second} prefers |", "|:--|:--|"]
-            details += [f"| {_link(rollouts, a)} | {_link(rollouts, b)} |" for a, b in pairs]
-    return "\n".join(lines + details)
+            preferred = [[action_link(rollouts, action) for action in pair] for pair in pairs]
+            heads = [f"{each.label} prefers" for each in (one, other)]
+            details += ["", *table(heads, "ll", preferred)]
+    return "\n".join(
+        [
+            f"How many pairs of actions, of {pairs_in_all}, two teachers order differently, and "
+            "how much value the second one loses by doing what the first one picks.",
+            "",
+            *table(("teachers", "pairs", "loss"), "lrr", counts),
+            *details,
+        ]
+    )
 
 
-def about_page(
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    versions: Mapping[str, str],
+def scene_page(
+    rollouts: Rollouts, judgements: tuple[Judgement, ...], versions: Mapping[str, str]
 ) -> str:
-    """Everything there is to know about a recording."""
-    scene, count = rollouts.scene, rollouts.count
-    steps = rollouts.steps
-    actions = [
-        f"| {_link(rollouts, index)} | {number(action.speed)} | {number(action.turn_rate)} |"
-        for index, action in enumerate(rollouts.actions)
-    ]
-    minds = [
-        f"| {teacher_name(judgement.teacher)} | "
-        + " | ".join(f"{number:g}" for number in _parameters(judgement))
-        + " |"
-        for judgement in judgements
-    ]
-    rewards = [
-        f"| {feature} | {number(worth)} |" for feature, worth in zip(FEATURES, REWARD, strict=True)
-    ]
-    further = {
-        **{f"noise: {name}": given for name, given in asdict(rollouts.noise).items()},
-        **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
-        **{f"version: {name}": given for name, given in versions.items()},
-    }
+    """Everything there is to know about the recording of a scene."""
+    scene = rollouts.scene
     return "\n".join(
         [
             f"# {scene.name}",
             "",
             f"A robot and {_people(rollouts)}, `{scene.family}`, `{scene.pattern}`. Under each "
-            f"action the scene was simulated {counted(count, 'time')} for {rollouts.horizon:g} s, "
-            "always with the same luck: actions differ in nothing but the action.",
+            f"action the scene was simulated {counted(rollouts.count, 'time')} for "
+            f"{rollouts.horizon:g} s, always with the same luck: actions differ in nothing but the "
+            "action.",
             "",
             "## What one sees",
             "",
-            f"* [The world](recording://{entities.WORLD}) from above, on a grid of metres; the "
-            "robot starts at the ring with the nose and is headed for the target.",
-            "* A coloured ball is the robot in the first future, and its arrowhead shows where it "
-            "faces; a grey ball is a person in that future, and bars join people who walk in a "
-            "group. Both are in true size. Dots are the robot and the people in the other futures.",
-            "* A robot turns red at the step at which it first touches a person or a wall; a red "
-            "cross marks where. Faint lines are the paths that robots take, a bold one is that of "
-            "the first future.",
-            "* Histograms count the outcomes by feature, in bins that all actions share, those "
-            "with contact in red; the number at the upper left is the height of the tallest bar.",
-            "* The gap over time is that between the robot and the nearest person: the median, "
-            "and a band from the 10 % to the 90 % quantile.",
-            f"* Prospects: [all outcomes](recording://{entities.COMPARISON}), every feature on one "
-            f"scale; and [what they are worth](recording://{entities.PROSPECTS}): their utilities "
-            "from the worst to the best, the decision weight of each in multiples of its "
-            "probability, and, as marks, the certainty equivalents: the sure utilities that the "
-            "teachers value as much as the action.",
-            f"* Minds: how much a probability [of a gain](recording://{entities.GAIN_WEIGHTS}) and "
-            f"[of a loss](recording://{entities.LOSS_WEIGHTS}) counts, what that [makes of fifty "
-            f"equally likely outcomes](recording://{entities.DECISION_WEIGHTS}), the worse half "
-            f"losses and the better half gains, how good a gain [feels](recording://"
-            f"{entities.VALUES}) and how bad a loss, and how the teachers therefore [rank the "
-            f"actions](recording://{entities.RANKS}).",
+            *_what_one_sees(),
             "",
             "Press space to stop and go on; double-click a view to set it back.",
             "",
             "## Actions",
             "",
-            "| action | speed v, m/s | turn rate ω, rad/s |",
-            "|:--|--:|--:|",
-            *actions,
+            *table(
+                ("action", "speed v, m/s", "turn rate ω, rad/s"),
+                "lrr",
+                [
+                    (action_link(rollouts, index), number(action.speed), number(action.turn_rate))
+                    for index, action in enumerate(rollouts.actions)
+                ],
+            ),
             "",
             "## Outcomes",
             "",
@@ -155,109 +114,117 @@ def about_page(
             "and −λ(−x)^η as a loss, and counts probabilities p as exp(−(−ln p)^γ) for gains, "
             "with δ for losses. All ones is expected utility (EU).",
             "",
-            "| teacher | α | η | λ | γ | δ |",
-            "|:--|--:|--:|--:|--:|--:|",
-            *minds,
-            "",
-            "| feature φ | worth θ |",
-            "|:--|--:|",
-            *rewards,
-            "",
-            "## Make it again",
-            "",
-            *how_to_make_again(
-                rollouts, "studio record" if rollouts.actions == META_ACTIONS else None
+            *table(
+                ("teacher", *CptParameters.SYMBOLS),
+                "lrrrrr",
+                [(each.label, *(f"{n:g}" for n in each.parameters.numbers)) for each in judgements],
             ),
             "",
-            "| setting | value |",
-            "|:--|:--|",
-            f"| seed | {rollouts.seed} |",
-            f"| rollouts | {count} |",
-            f"| steps | {steps} of {rollouts.dt:g} s |",
-            f"| model | {rollouts.model} |",
-            f"| engine | {rollouts.engine} |",
-            f"| wrap_angles | {rollouts.wrap_angles} |",
-            *(f"| {name} | {given} |" for name, given in further.items()),
+            *table(("feature φ", "worth θ"), "lr", zip(FEATURES, map(number, REWARD), strict=True)),
             "",
-            "```toml",
-            scene_to_toml(scene).rstrip(),
-            "```",
+            *how_to_make_again(rollouts, record_command(rollouts), _settings(rollouts, versions)),
         ]
     )
 
 
+def _what_one_sees() -> list[str]:
+    return [
+        f"* {link('The world', entities.WORLD)} from above, on a grid of metres; the robot starts "
+        "at the ring with the nose and is headed for the target.",
+        "* A coloured ball is the robot in the first rollout, and its arrowhead shows where it "
+        "faces; a grey ball is a person in that rollout, and bars join people who walk in a group. "
+        "Both are in true size. Dots are the robot and the people in the other rollouts.",
+        "* A robot turns red at the step at which it first touches a person or a wall; a red cross "
+        "marks where. Faint lines are the paths that robots take, a bold one is that of the first "
+        "rollout.",
+        "* Histograms count the outcomes by feature, in bins that all actions share, those with "
+        "contact in red; the number at the upper left is the height of the tallest bar.",
+        "* The gap over time is that between the robot and the nearest person: the median, and a "
+        "band from the 10 % to the 90 % quantile.",
+        f"* Prospects: {link('all outcomes', entities.ACTION_TABLE)}, every feature on one scale; "
+        f"and {link('what they are worth', entities.PROSPECTS)}: their utilities from the worst to "
+        "the best, the decision weight of each in multiples of its probability, and, as marks, the "
+        "certainty equivalents: the sure utilities that the teachers value as much as the action.",
+        f"* Minds: how much a probability {link('of a gain', entities.GAIN_WEIGHTS)} and "
+        f"{link('of a loss', entities.LOSS_WEIGHTS)} counts, what that "
+        f"{link('makes of fifty equally likely outcomes', entities.DECISION_WEIGHTS)}, the worse "
+        f"half losses and the better half gains, how good a gain {link('feels', entities.VALUES)} "
+        f"and how bad a loss, and how the teachers therefore "
+        f"{link('rank the actions', entities.RANKS)}.",
+    ]
+
+
+def _settings(rollouts: Rollouts, versions: Mapping[str, str]) -> list[str]:
+    """The settings of a simulation, in a table."""
+    settings = {
+        "seed": rollouts.seed,
+        "rollouts": rollouts.count,
+        "steps": f"{rollouts.steps} of {rollouts.dt:g} s",
+        "model": rollouts.model,
+        "engine": rollouts.engine,
+        "wrap_angles": rollouts.wrap_angles,
+        **{f"noise: {name}": given for name, given in asdict(rollouts.noise).items()},
+        **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
+        **{f"version: {name}": given for name, given in versions.items()},
+    }
+    return table(("setting", "value"), "ll", [(name, str(n)) for name, n in settings.items()])
+
+
 def outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
     """One row an action: contacts, gap, progress, and its value to every teacher."""
-    count = rollouts.count
     contacts = rollouts.touched.sum(axis=1)
     gap = np.median(rollouts.clearance_m, axis=1)
     progress = rollouts.progress_m.mean(axis=1)
-    values = " | ".join(teacher_name(judgement.teacher) for judgement in judgements)
-    lines = [
-        f"| action | contact | gap, m | progress, m | {values} |",
-        "|:--|--:|--:|--:|" + "--:|" * len(judgements),
-    ]
+    rows = []
     for index in range(len(rollouts.actions)):
-        worths = []
-        for judgement in judgements:
-            worth = number(judgement.values[index], ".3f")
-            worths.append(f"**{worth}** ★" if index == judgement.best else worth)
-        lines.append(
-            f"| {_link(rollouts, index)} | {contacts[index]} / {count} | {gap[index]:.2f} | "
-            f"{progress[index]:.2f} | {' | '.join(worths)} |"
+        worths = [(number(each.values[index], ".3f"), index == each.best) for each in judgements]
+        rows.append(
+            (
+                action_link(rollouts, index),
+                f"{contacts[index]} / {rollouts.count}",
+                f"{gap[index]:.2f}",
+                f"{progress[index]:.2f}",
+                *(f"**{worth}** ★" if is_picked else worth for worth, is_picked in worths),
+            )
         )
-    return lines
+    heads = ["action", "contact", "gap, m", "progress, m", *(each.label for each in judgements)]
+    return table(heads, "lrrr" + "r" * len(judgements), rows)
+
+
+def action_link(rollouts: Rollouts, index: int) -> str:
+    """A link to the world under an action."""
+    name = rollouts.names[index]
+    return link(plain(short_label(name)), entities.action(name))
 
 
 def _disagreement(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
     """How many pairs of actions the two teachers who agree least order differently, in words."""
-    counts = [
-        (len(discordant_pairs(one.values, other.values)), one, other)
+    couples = [
+        (len(one.discordant_pairs(other)), f"{one.label} and {other.label}")
         for one, other in combinations(judgements, 2)
     ]
-    most, one, other = max(counts, key=lambda given: given[0], default=(0, None, None))
-    if one is None or other is None or not most:
+    most, names = max(couples, key=lambda couple: couple[0], default=(0, ""))
+    if not most:
         return ""
-    return (
-        f" {teacher_name(one.teacher)} and {teacher_name(other.teacher)} "
-        f"[order](recording://{entities.RANKS}) {most} of "
-        f"{math.comb(len(rollouts.actions), 2)} pairs of actions differently."
-    )
+    pairs_in_all = math.comb(len(rollouts.actions), 2)
+    order = link("order", entities.RANKS)
+    return f" {names} {order} {most} of {pairs_in_all} pairs of actions differently."
 
 
-def _minds(judgements: tuple[Judgement, ...]) -> str:
+def _ways_of_judging(judgements: tuple[Judgement, ...]) -> str:
     """Who the teachers are, as far as they are the usual ones, and what V is, in a sentence."""
-    minds = [
-        f"{teacher_name(judgement.teacher)} {WAYS_OF_JUDGING[judgement.teacher]}"
+    told = [
+        f"{judgement.label} {WAYS_OF_JUDGING[judgement.teacher]}"
         for judgement in judgements
         if judgement.teacher in WAYS_OF_JUDGING
     ]
-    known = f"{', '.join(minds)}; " if minds else ""
+    known = f"{', '.join(told)}; " if told else ""
     return (
         f"{known}V, under their names, is what an action is worth to them: the largest is picked "
         "(★)."
     )
 
 
-def _link(rollouts: Rollouts, index: int) -> str:
-    name = rollouts.names[index]
-    # Markdown ends a link at a space unless it is in angle brackets, and eats backslashes
-    target = entities.action(name).replace("\\", "\\\\")
-    shown = re.sub(r"([\\|\[\]*_`<])", r"\\\1", short(name))
-    return f"[{shown}](<recording://{target}>)"
-
-
 def _people(rollouts: Rollouts) -> str:
     people = len(rollouts.scene.pedestrians)
     return {0: "nobody", 1: "one person"}.get(people, f"{people} people")
-
-
-def _parameters(judgement: Judgement) -> tuple[float, ...]:
-    parameters = judgement.parameters
-    return (
-        parameters.alpha,
-        parameters.eta,
-        parameters.loss_aversion,
-        parameters.gamma,
-        parameters.delta,
-    )

@@ -1,34 +1,37 @@
-"""The prospects in a recording: what every outcome is worth, and how much it counts to whom."""
+"""The prospects in a recording: what every outcome is worth, and how much it counts to whom.
+
+The figure lies on a page whose unit is the width of a panel; there is a panel an action.
+"""
 
 import numpy as np
 import rerun as rr
 
-from learners import CptParameters, decision_weights
+from learners import decision_weights
 from scenes import Rollouts
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import Scale, linear
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
-from studio.scene.recording.world import rounded
-from studio.style.palette import LIGHT, Theme, teacher_colour
+from studio.scene.recording.moving import rounded
+from studio.style.palette import LIGHT, Theme
 from studio.style.ticks import round_ticks
-from studio.style.words import number, short, teacher_name
+from studio.style.words import number, short_label
 
-PANEL_PITCH = 1.3
-"""From the left of a panel of width 1 to that of the next, in units of the page."""
+PROSPECT_PITCH = 1.3
+"""From the left of a panel to that of the next."""
 
 WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.15, 1.4
-"""Of the lower part of a panel, and of the upper one, in units of the page."""
+"""Height of the lower part of a panel; where the upper part begins, and its height."""
 
 TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.27
-"""Where the titles of the panels are, in units of the page."""
+"""Where the titles of the panels are."""
 
 MARK_LEFT, MARK_WIDTH = 1.04, 0.05
-"""Where the marks at the right of a panel begin, and how wide one is, in units of the page."""
+"""Where the marks at the right of a panel begin, and how wide one is."""
 
 TICKS_MIDDLE, WORDS_MIDDLE = -0.28, -0.42
-"""Where the middle of the numbers at the left is, and of what they are, in units of the page."""
+"""Where the middle of the numbers at the left is, and of what they are."""
 
 LONGEST_TITLE = 14
 """If a title has more characters, titles are written on two levels, so that they do not touch."""
@@ -49,7 +52,7 @@ def log_prospects(
     ranked = np.sort(utilities(rollouts), axis=-1)  # (A, K), worst first
     actions, count = ranked.shape
     weights = [decision_weights(ranked, each.parameters) * count for each in judgements]
-    worths = [certainty_equivalents(each.values, each.parameters) for each in judgements]
+    worths = [each.certainty_equivalents for each in judgements]
     everything = np.concatenate([ranked.ravel(), *worths])
     utility_scale = linear(round_ticks(float(everything.min()), float(everything.max())))
     weight_scale = linear(round_ticks(0.0, float(max(1.0, np.max(weights)))))
@@ -57,10 +60,10 @@ def log_prospects(
     draw_levels(drawing, actions, utility_scale, UTILITY_BOTTOM, UTILITY_HEIGHT)
     draw_levels(drawing, actions, weight_scale, 0.0, WEIGHT_HEIGHT)
     names = rollouts.names
-    raised, colours = second_level(names), [teacher_colour(each.teacher) for each in judgements]
+    raised, colours = second_level(names), [each.colour for each in judgements]
     for index, name in enumerate(names):
-        left = index * PANEL_PITCH
-        drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short(name))
+        left = index * PROSPECT_PITCH
+        drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short_label(name))
         # the lowest line last: it would vanish in the peaks of the others
         for column in sorted(range(len(judgements)), key=lambda column: -weights[column].max()):
             heights = WEIGHT_HEIGHT * weight_scale(weights[column][index])
@@ -70,9 +73,9 @@ def log_prospects(
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
     draw_words(drawing, TITLE_BOTTOM + raised)
-    draw_key(drawing, judgements, actions * PANEL_PITCH)
+    name_teachers(drawing, judgements, actions * PROSPECT_PITCH)
     drawing.log(stream, entities.PROSPECTS)
-    x = PANEL_PITCH * np.arange(actions)[:, None] + (np.arange(count) + 0.5) / count
+    x = PROSPECT_PITCH * np.arange(actions)[:, None] + (np.arange(count) + 0.5) / count
     y = UTILITY_BOTTOM + UTILITY_HEIGHT * utility_scale(ranked)
     stream.log(
         entities.RANKED_OUTCOMES,
@@ -85,31 +88,13 @@ def log_prospects(
     )
 
 
-def certainty_equivalents(values: FloatArray, parameters: CptParameters) -> FloatArray:
-    """The sure utilities that are worth as much as prospects of these values.
-
-    Inverts the value function v(x) = x^α of gains and −λ(−x)^η of losses (Tversky and Kahneman,
-    "Advances in Prospect Theory", J. Risk and Uncertainty 5, 1992).
-
-    Args:
-        values: any shape, V of prospects.
-        parameters: of the teacher whose values they are.
-
-    Returns:
-        In the shape of the values, in units of utility.
-    """
-    gain = np.maximum(values, 0.0) ** (1.0 / parameters.alpha)
-    loss = (np.maximum(-values, 0.0) / parameters.loss_aversion) ** (1.0 / parameters.eta)
-    return gain - loss
-
-
 def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, height: float) -> None:
     """Draw a line at each tick of a scale through all panels; write 0 and the ends at the left."""
     for tick in scale.ticks:
         y = bottom + height * float(scale(tick))
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
             drawing.text((TICKS_MIDDLE, y), number(tick))
-        for left in PANEL_PITCH * np.arange(actions):
+        for left in PROSPECT_PITCH * np.arange(actions):
             colour = LIGHT.faint if tick == 0.0 else LIGHT.grid
             drawing.line([(left, y), (left + 1.0, y)], colour, 1.0)
 
@@ -131,17 +116,17 @@ def draw_words(drawing: Drawing, top: float) -> None:
     drawing.text((0.5, -0.24), "worst → best")
 
 
-def draw_key(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
-    """Say whose lines and marks have which colour, beside the marks of the last panel."""
+def name_teachers(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
+    """Say whose lines and marks have which colour, right of the last panel."""
     for row, judgement in enumerate(judgements):
         y = UTILITY_BOTTOM + UTILITY_HEIGHT - 0.32 * row
-        drawing.line([(left, y), (left + 0.15, y)], teacher_colour(judgement.teacher), 4.0)
-        drawing.text((left + 0.52, y), teacher_name(judgement.teacher))
+        drawing.line([(left, y), (left + 0.15, y)], judgement.colour, 4.0)
+        drawing.text((left + 0.52, y), judgement.label)
 
 
 def second_level(names: tuple[str, ...]) -> float:
-    """How much higher every other title is, in units of the page."""
-    return 0.3 if max(len(short(name)) for name in names) > LONGEST_TITLE else 0.0
+    """How much higher every other title is."""
+    return 0.3 if max(len(short_label(name)) for name in names) > LONGEST_TITLE else 0.0
 
 
 def prospects_bounds(names: tuple[str, ...]) -> Bounds:
@@ -149,6 +134,6 @@ def prospects_bounds(names: tuple[str, ...]) -> Bounds:
     return (
         WORDS_MIDDLE - 0.46,
         -0.4,
-        len(names) * PANEL_PITCH + 0.95,
+        len(names) * PROSPECT_PITCH + 0.95,
         TITLE_BOTTOM + second_level(names) + 0.15,
     )

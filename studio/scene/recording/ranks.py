@@ -1,34 +1,38 @@
-"""How the teachers rank the actions, in a recording: where their minds part."""
+"""How the teachers rank the actions, in a recording: where their minds part.
+
+The figure lies on a page of its own, on which its texts are about 0.2 high. Where there are many
+actions, rows get lower and the figure no taller, so that its words keep their room.
+"""
 
 from itertools import pairwise
 
 import numpy as np
 import rerun as rr
-from numpy.typing import NDArray
 
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.style.palette import Theme
-from studio.style.words import number, short, teacher_name
+from studio.style.words import number, short_label
 
-COLUMN_PITCH, TALLEST_ROW, TALLEST_FIGURE = 2.0, 0.34, 2.4
-"""Between the columns and the rows of the figure, in units of the page: where there are many
-actions, rows get lower and not the figure taller, so that words keep their room."""
+COLUMN_PITCH, ROW_PITCH, TALLEST_FIGURE = 2.0, 0.34, 2.4
+"""From column to column; from row to row where there is room; height of all rows at most."""
 
 HEADER = 0.36
-"""How high above the first row the names of the teachers stand, in units of the page."""
+"""How high above the first row the names of the teachers stand."""
 
-VALUE_LEFT, VALUE_RISE, LEVEL = 0.34, 0.36, 0.6
-"""How far right of a dot its value stands, in units of the page, and how far above it, in rows;
-how far the line to the next dot stays level under the value, in units of the page."""
+VALUE_LEFT, VALUE_RISE = 0.34, 0.36
+"""How far right of its dot a value stands, and how far above it, in rows."""
 
-LETTER_WIDTH = 0.062
-"""Of the words beside the figure, in units of the page."""
+LEVEL = 0.6
+"""How far the line to the next dot stays level under the value."""
+
+NAME_LETTER_WIDTH = 0.062
+"""Width of a letter in the names of the actions beside the figure."""
 
 LEAST_ROWS = 4
-"""A view has room for at least so many rows: with fewer actions they would be enormous."""
+"""A view has room for at least this many rows: with fewer, they would be enormous."""
 
 
 def log_ranks(
@@ -43,11 +47,10 @@ def log_ranks(
     """
     drawing = Drawing(lift=0.07)
     rise = VALUE_RISE * row_pitch(len(names))
-    places = [ranks(judgement.values) for judgement in judgements]
-    levels = [-row_pitch(len(names)) * rank for rank in places]
+    levels = [-row_pitch(len(names)) * judgement.ranks for judgement in judgements]
     for column, judgement in enumerate(judgements):
         x = column * COLUMN_PITCH
-        drawing.text((x, HEADER), teacher_name(judgement.teacher))
+        drawing.text((x, HEADER), judgement.label)
         for name, y, value in zip(names, levels[column], judgement.values, strict=True):
             drawing.dot((x, y), theme.action_colour(name), 13.0)
             drawing.text((x + VALUE_LEFT, y + rise), number(value, ".3f"))
@@ -55,8 +58,8 @@ def log_ranks(
         for name, y, next_y in zip(names, here, there, strict=True):
             width = 2.0 if y == next_y else 5.0
             drawing.line(bend(column, y, next_y), theme.action_colour(name), width)
-    for index, name in enumerate(map(short, names)):
-        aside = 0.25 + LETTER_WIDTH * len(name) / 2
+    for index, name in enumerate(map(short_label, names)):
+        aside = 0.25 + NAME_LETTER_WIDTH * len(name) / 2
         drawing.text((-aside, levels[0][index]), name)
         if len(judgements) > 1:
             right = (len(judgements) - 1) * COLUMN_PITCH + VALUE_LEFT + 0.15
@@ -64,30 +67,9 @@ def log_ranks(
     drawing.log(stream, entities.RANKS)
 
 
-def ranks(values: FloatArray) -> NDArray[np.int64]:
-    """The rank of each of A values, 0 for the largest; of equal ones the earlier is first."""
-    order = np.argsort(-values, kind="stable")
-    return np.argsort(order)
-
-
-def discordant_pairs(one: FloatArray, other: FloatArray) -> list[tuple[int, int]]:
-    """Pairs of actions that two teachers with these values [A] prefer the other way round.
-
-    The first of a pair is what the first teacher prefers; what leads to a tie is no such pair.
-    Pairs come in the order of the first teacher's preference.
-    """
-    order = np.argsort(-one, kind="stable").tolist()
-    return [
-        (better, worse)
-        for place, better in enumerate(order)
-        for worse in order[place + 1 :]
-        if one[better] > one[worse] and other[better] < other[worse]
-    ]
-
-
 def row_pitch(actions: int) -> float:
-    """Between one rank and the next, in units of the page."""
-    return min(TALLEST_ROW, TALLEST_FIGURE / actions)
+    """From one rank to the next among this many actions."""
+    return min(ROW_PITCH, TALLEST_FIGURE / actions)
 
 
 def bend(column: int, level: float, next_level: float) -> FloatArray:
@@ -102,7 +84,7 @@ def bend(column: int, level: float, next_level: float) -> FloatArray:
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the ranks must show."""
-    aside = 0.4 + LETTER_WIDTH * max(len(short(name)) for name in names)
+    aside = 0.4 + NAME_LETTER_WIDTH * max(len(short_label(name)) for name in names)
     bottom = -row_pitch(len(names)) * max(len(names), LEAST_ROWS)
     right = (teachers - 1) * COLUMN_PITCH + VALUE_LEFT + 0.2 + aside
     return -aside, bottom + 0.1, right, HEADER + 0.24

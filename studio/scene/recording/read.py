@@ -106,7 +106,7 @@ def _judgements(contents: Contents, rollouts: Rollouts) -> tuple[Judgement, ...]
         values = contents.static(f"/{entities.JUDGEMENTS}", teacher).astype(np.float64)
         if values.shape != (len(rollouts.actions),):
             raise contents.damaged(f"{teacher} judges {values.size} actions")
-        judgements.append(Judgement(teacher, parameters, values, int(np.argmax(values))))
+        judgements.append(Judgement(teacher, parameters, values))
     return tuple(judgements)
 
 

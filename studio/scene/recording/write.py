@@ -18,18 +18,16 @@ from studio.recorder.stream import recording_to
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
+from studio.scene.recording.action_table import log_action_table
+from studio.scene.recording.actions import log_action, log_without_robot
 from studio.scene.recording.blueprint import VIEW_SHAPE, recording_blueprint
-from studio.scene.recording.minds import log_curves, log_judgements
-from studio.scene.recording.outcomes import (
-    log_clearance,
-    log_comparison,
-    log_distributions,
-    log_outcomes,
-)
-from studio.scene.recording.pages import about_page, disagreements_page, summary_page
+from studio.scene.recording.distributions import log_distributions
+from studio.scene.recording.minds import log_curves
+from studio.scene.recording.numbers import log_gap, log_judgements, log_outcomes
+from studio.scene.recording.pages import disagreements_page, scene_page, scene_summary
 from studio.scene.recording.prospects import log_prospects
 from studio.scene.recording.ranks import log_ranks
-from studio.scene.recording.world import log_action, log_scene, log_without_robot
+from studio.scene.recording.world import log_world
 from studio.style.palette import LIGHT, Theme
 
 SCHEMA_VERSION = 2
@@ -37,12 +35,7 @@ SCHEMA_VERSION = 2
 
 
 def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
-    """Write a recording of one scene under all its actions.
-
-    Args:
-        path: the `.rrd` file to write.
-        rollouts: what was simulated.
-        judgements: what each teacher thinks of the actions.
+    """Write a recording (`.rrd`) of one scene under all its actions.
 
     Raises:
         OSError: if the file cannot be written.
@@ -55,11 +48,11 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
         stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
         log_simulation(stream, rollouts, judgements, versions, theme)
         if rollouts.scene.pedestrians:
-            log_clearance(stream, rollouts, theme)
+            log_gap(stream, rollouts, theme)
         log_figures(stream, rollouts, judgements, theme)
-        log_page(stream, entities.SUMMARY, summary_page(rollouts, judgements))
+        log_page(stream, entities.SUMMARY, scene_summary(rollouts, judgements))
         log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
-        log_page(stream, entities.ABOUT, about_page(rollouts, judgements, versions))
+        log_page(stream, entities.ABOUT, scene_page(rollouts, judgements, versions))
 
 
 def log_simulation(
@@ -70,9 +63,9 @@ def log_simulation(
     theme: Theme,
 ) -> None:
     """Keep what was simulated and judged: all that a scene is read back from."""
-    log_properties(stream, rollouts, judgements, versions)
+    log_simulation_properties(stream, rollouts, judgements, versions)
     log_ground(stream)
-    log_scene(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
+    log_world(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
     for index in range(len(rollouts.actions)):
         log_action(stream, rollouts, index, theme)
     if rollouts.scene.pedestrians:
@@ -81,7 +74,7 @@ def log_simulation(
     log_judgements(stream, judgements)
 
 
-def log_properties(
+def log_simulation_properties(
     stream: rr.RecordingStream,
     rollouts: Rollouts,
     judgements: tuple[Judgement, ...],
@@ -121,7 +114,7 @@ def log_figures(
     """Draw all figures."""
     stream.log(entities.FIGURES, y_upwards(), static=True)
     log_distributions(stream, rollouts, theme)
-    log_comparison(stream, rollouts, judgements, theme)
+    log_action_table(stream, rollouts, judgements, theme)
     log_prospects(stream, rollouts, judgements, theme)
     log_curves(stream, judgements)
     log_ranks(stream, rollouts.names, judgements, theme)

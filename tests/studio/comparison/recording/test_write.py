@@ -1,20 +1,19 @@
 import re
-import subprocess
-import sys
 from collections import defaultdict
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-import rerun as rr
-from rerun.chunk import RrdReader
 
 from scenes import MetaAction, Pedestrian, Robot, Scene, Wall, scene_from_toml, simulate
 from studio.comparison.comparison import QUESTION, compare
 from studio.comparison.recording.write import write_comparison_recording
 from studio.scene.judgements import judge
 from studio.style.palette import ACTION_COLOURS, LIGHT
+from tests.entities import read_blueprint, read_entities, verify
+
+pytestmark = pytest.mark.usefixtures("strict_rerun")
 
 REFERENCE = Path(__file__).parents[4] / "recordings" / "README.md"
 HALF_A_STEP = 1.0 / 256.0
@@ -48,25 +47,6 @@ def write(path, comparison):
     return path
 
 
-def read(path):
-    """Entity path, then component or timeline, to its rows; a static one has one row."""
-    entities = defaultdict(dict)
-    for chunk in RrdReader(path).stream().to_chunks():
-        batch = chunk.to_record_batch()
-        for name in batch.schema.names:
-            if name != "rerun.controls.RowId":
-                entities[str(chunk.entity_path)][name] = batch.column(name).to_pylist()
-    return entities
-
-
-@pytest.fixture(autouse=True)
-def _strict():
-    before = rr.strict_mode()
-    rr.set_strict_mode(True)
-    yield
-    rr.set_strict_mode(before)
-
-
 @pytest.fixture(scope="module")
 def comparison():
     return a_comparison()
@@ -79,7 +59,7 @@ def recording(comparison, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def entities(recording):
-    return read(recording)
+    return read_entities(recording)
 
 
 def names(comparison):
@@ -87,22 +67,8 @@ def names(comparison):
 
 
 def test_it_can_be_verified_and_opens_on_the_question(recording):
-    done = subprocess.run(
-        [sys.executable, "-m", "rerun", "rrd", "verify", str(recording)],
-        capture_output=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    reader = RrdReader(recording)
-    (blueprint,) = reader.blueprints()
-    found = str(
-        [
-            batch.select([name for name in batch.schema.names if ":" in name]).to_pydict()
-            for batch in (
-                chunk.to_record_batch() for chunk in reader.stream(store=blueprint).to_chunks()
-            )
-        ]
-    )
+    verify(recording)
+    found = str(read_blueprint(recording))
     for words in (QUESTION, "All at once", "About", "story"):
         assert words in found
 
@@ -226,7 +192,7 @@ def test_red_dots_lie_below_the_others_at_any_time(seed, tmp_path):
             progress_m=rng.choice([0.1, 0.9], (2, 12)),
         ),
     )
-    entities = read(write(tmp_path / "test.rrd", comparison))
+    entities = read_entities(write(tmp_path / "test.rrd", comparison))
     for side, name in enumerate(names(comparison)):
         dots = entities[f"/figures/dots/{name}/outcomes"]
         contacts = entities[f"/figures/dots/{name}/contacts"]["Points2D:positions"]
@@ -285,7 +251,7 @@ def test_links_lead_to_what_is_there(entities):
     ids=["nobody", "one of each", "a crowd", "long names"],
 )
 def test_unusual_comparisons_can_be_written(settings, tmp_path):
-    entities = read(write(tmp_path / "test.rrd", a_comparison(**settings)))
+    entities = read_entities(write(tmp_path / "test.rrd", a_comparison(**settings)))
     assert sum(path.endswith("/robot") for path in entities) == 2
 
 

@@ -1,6 +1,5 @@
 import dataclasses
 import functools
-import itertools
 
 import cv2
 import numpy as np
@@ -9,9 +8,10 @@ import pytest
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.errors import InputError
 from studio.scene.judgements import judge
-from studio.scene.picture.film import lay_out, play
+from studio.scene.picture.film import lay_out_film, play_action
 from studio.scene.picture.page import compose_picture
 from studio.style.palette import LIGHT, THEMES
+from tests.canvases import check_texts, red_pixels
 
 SIZES = [(640, 360), (1280, 720), (1600, 900), (3840, 2160), (1000, 1400)]
 
@@ -93,10 +93,6 @@ def default():
     return the_case("default")
 
 
-def red_pixels(pixels):
-    return int((pixels == LIGHT.contact).all(axis=-1).sum())
-
-
 def with_contacts(rollouts, step):
     return dataclasses.replace(rollouts, contact_step=np.full_like(rollouts.contact_step, step))
 
@@ -105,21 +101,15 @@ def with_contacts(rollouts, step):
 def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
     canvas = compose_picture(*the_case(name), size, THEMES[theme])
     assert len(canvas.texts) > 20
-    for text in canvas.texts:
-        assert canvas.box.contains(text.box), text
-    for first, second in itertools.combinations(canvas.texts, 2):
-        assert not first.box.overlaps(second.box), (first, second)
+    check_texts(canvas)
 
 
 @pytest.mark.parametrize(("name", "size", "theme"), PAGES)
 def test_texts_of_a_film_stay_on_the_page_and_off_one_another(name, size, theme):
     rollouts, _ = the_case(name)
-    page, last = lay_out(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
-    for canvas in play(page, rollouts, last, np.array([0.0, rollouts.horizon])):
-        for text in canvas.texts:
-            assert canvas.box.contains(text.box), text
-        for first, second in itertools.combinations(canvas.texts, 2):
-            assert not first.box.overlaps(second.box), (first, second)
+    page, last = lay_out_film(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
+    for canvas in play_action(page, rollouts, last, np.array([0.0, rollouts.horizon])):
+        check_texts(canvas)
 
 
 @pytest.mark.parametrize("size", SIZES)

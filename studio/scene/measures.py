@@ -1,0 +1,86 @@
+"""What outcomes are described by, in the units that people read, and how they come about over time.
+
+`scenes.features` describes whole rollouts, and has the definitions of gap and progress; here they
+are at every step.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from scenes import FEATURES, Rollouts
+from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from studio.arrays import BoolArray, FloatArray, IntArray
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One feature of the outcomes, in metres where it is a length.
+
+    Attributes:
+        feature: one of `FEATURES`.
+        unit: of the values; empty if they have none.
+        values: [A, K].
+    """
+
+    feature: str
+    unit: str
+    values: FloatArray
+
+    @property
+    def title(self) -> str:
+        """The feature and its unit, if it has one."""
+        return f"{self.feature}, {self.unit}" if self.unit else self.feature
+
+    @property
+    def is_counted(self) -> bool:
+        """Whether the values are whole numbers; all other features are measured."""
+        return self.feature == "collisions"
+
+
+def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
+    """What the outcomes are described by, in the order of `FEATURES`."""
+    in_metres = {
+        "clearance": rollouts.clearance_m,
+        "deviation": rollouts.deviation_m,
+        "progress": rollouts.progress_m,
+    }
+    return tuple(
+        Measure(feature, "m", in_metres[feature])
+        if feature in in_metres
+        else Measure(feature, "", rollouts.features[..., column])
+        for column, feature in enumerate(FEATURES)
+    )
+
+
+def gaps_to_people(rollouts: Rollouts) -> FloatArray:
+    """Gap between the robot and each person, negative where they overlap, [A, K, T+1, P], m."""
+    apart = np.linalg.norm(rollouts.pedestrians - rollouts.robot[..., None, :2], axis=-1)
+    gaps: FloatArray = apart - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    return gaps
+
+
+def gap_over_time(rollouts: Rollouts) -> FloatArray:
+    """Gap between the robot and the nearest person, infinite among nobody, [A, K, T+1], m."""
+    nearest: FloatArray = gaps_to_people(rollouts).min(axis=-1, initial=np.inf)
+    return nearest
+
+
+def progress_over_time(rollouts: Rollouts) -> FloatArray:
+    """How much closer to its goal the robot has come since the start, [A, K, T+1], m."""
+    to_goal = np.linalg.norm(rollouts.robot[..., :2] - rollouts.scene.robot.goal, axis=-1)
+    progress: FloatArray = to_goal[..., :1] - to_goal
+    return progress
+
+
+def touched_by(contact_step: IntArray, step: float | IntArray) -> BoolArray:
+    """Whether rollouts with these steps of first contact have touched something by a step."""
+    touched: BoolArray = (contact_step >= 0) & (contact_step <= step)
+    return touched
+
+
+def first_contacts(rollouts: Rollouts, index: int) -> FloatArray:
+    """Poses at which the robots under one action first touch something, [N, 3], m and rad."""
+    [touching] = np.nonzero(rollouts.touched[index])
+    poses: FloatArray = rollouts.robot[index, touching, rollouts.contact_step[index, touching]]
+    return poses

@@ -1,0 +1,25 @@
+"""What a canvas shows, for tests of pictures and films."""
+
+from itertools import combinations
+
+from studio.arrays import PixelArray
+from studio.painter.canvas import Canvas
+from studio.style.palette import LIGHT
+
+
+def texts(canvas: Canvas) -> list[str]:
+    """The texts on a canvas, in the order in which they were set."""
+    return [placed.text for placed in canvas.texts]
+
+
+def check_texts(canvas: Canvas) -> None:
+    """Every text stays on the page and off the others."""
+    for placed in canvas.texts:
+        assert canvas.box.contains(placed.box), placed
+    for first, second in combinations(canvas.texts, 2):
+        assert not first.box.overlaps(second.box), (first, second)
+
+
+def red_pixels(pixels: PixelArray) -> int:
+    """How many pixels have the colour of contact in the light theme."""
+    return int((pixels == LIGHT.contact).all(axis=-1).sum())

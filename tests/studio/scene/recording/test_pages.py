@@ -1,0 +1,101 @@
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from scenes import META_ACTIONS, Limits, MetaAction, Noise, Rollouts
+from studio.scene.judgements import judge
+from studio.scene.recording.pages import disagreements_page, scene_summary
+from studio.scene.recording.write import write_recording
+from tests.entities import read_entities
+from tests.studio.scene.made_up import make_rollouts
+
+pytestmark = pytest.mark.usefixtures("strict_rerun")
+
+
+@pytest.fixture(scope="module")
+def rollouts() -> Rollouts:
+    return make_rollouts()
+
+
+@pytest.fixture(scope="module")
+def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("recording") / "test.rrd"
+    write_recording(path, rollouts, judge(rollouts))
+    return path
+
+
+def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts) -> None:
+    eu, tk, _ = judge(rollouts)
+    eu, tk = (
+        replace(eu, values=np.array([0.3, 0.1])),
+        replace(tk, values=np.array([0.1, 0.35])),
+    )
+    page = disagreements_page(rollouts, (eu, tk))
+    assert "| EU, T&K | 1 | 0.250 |" in page
+    assert "| EU prefers | T&K prefers |" in page
+    assert "EU and T&K [order](<recording://figures/ranks>) 1 of 1" in scene_summary(
+        rollouts, (eu, tk)
+    )
+    assert "prefers" not in disagreements_page(rollouts, (eu, eu))
+    assert "two teachers" in disagreements_page(rollouts, (eu,))
+
+
+def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
+    eu, *_ = judge(rollouts)
+    page = scene_summary(rollouts, (eu, replace(eu, teacher="my aunt")))
+    assert "EU goes by the mean utility; V, under their names, is" in page
+    assert "my aunt goes" not in page
+
+
+def test_the_page_tells_the_command_that_makes_the_recording_again(tmp_path: Path) -> None:
+    rollouts = replace(make_rollouts(META_ACTIONS), noise=Noise(goal=0.25))
+    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
+    page = read_entities(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
+    said = "studio record --scene test.toml --seed 7 --rollouts 3 --horizon 0.5"
+    assert said in page
+    assert "--noise goal=0.25" in page
+
+
+@pytest.mark.parametrize(
+    "special",
+    [{"actions": META_ACTIONS[:2]}, {"wrap_angles": False}, {"limits": Limits(acceleration=2.0)}],
+)
+def test_where_no_command_makes_it_again_the_page_says_so(
+    special: dict[str, Any], tmp_path: Path
+) -> None:
+    rollouts = make_rollouts(special.get("actions", META_ACTIONS))
+    rollouts = replace(rollouts, **special)
+    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
+    page = read_entities(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
+    assert "studio record" not in page
+    assert "No command does this" in page
+
+
+def test_names_of_actions_cannot_break_the_pages(tmp_path: Path) -> None:
+    odd = (MetaAction("a|b [c](d)", 1.0, 0.0), MetaAction("*" * 80, 0.5, 0.0))
+    rollouts = make_rollouts(odd)
+    write_recording(tmp_path / "odd.rrd", rollouts, judge(rollouts))
+    page = read_entities(tmp_path / "odd.rrd")["/summary"]["TextDocument:text"][0][0]
+    row = next(line for line in page.splitlines() if "a\\|b" in line)
+    header = next(line for line in page.splitlines() if line.startswith("| action"))
+    assert row.replace("\\|", "").count("|") == header.count("|")
+    assert "\\[c\\]" in row
+    assert "*" * 30 not in page
+
+
+def test_the_page_links_to_the_actions(recording: Path) -> None:
+    page = read_entities(recording)["/about"]["TextDocument:text"][0][0]
+    assert "recording://world/actions/slow_down" in page
+    assert "| noise: desired_speed | 0.26 |" in page
+
+
+def test_links_lead_to_what_is_there(recording: Path) -> None:
+    entities = read_entities(recording)
+    for page in ("/summary", "/disagreements", "/about"):
+        text = entities[page]["TextDocument:text"][0][0]
+        for target in re.findall(r"recording://([^)>]+)", text):
+            assert any(path.startswith(f"/{target}") for path in entities), target
