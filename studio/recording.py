@@ -19,9 +19,9 @@ from studio.scene.picture.film import compose_film
 from studio.scene.picture.page import compose_picture
 from studio.scene.recording.read import SceneRecording
 from studio.scene.selection import only
-from studio.study.picture import page as learning
-from studio.study.picture.film import compose_learning_film
-from studio.study.picture.page import compose_learning_picture
+from studio.study.picture import page as study
+from studio.study.picture.film import compose_study_film
+from studio.study.picture.page import compose_study_picture
 from studio.study.recording.read import StudyRecording
 from studio.style.palette import THEMES, Theme
 
@@ -142,7 +142,7 @@ def still_size(recording: Recording) -> Size:
         case ComparisonRecording():
             return comparison.SIZE
         case StudyRecording():
-            return learning.SIZE
+            return study.SIZE
 
 
 def film_size(recording: Recording, width: int) -> Size:
@@ -167,7 +167,7 @@ def compose_still(recording: Recording, look: Look, excerpt: Excerpt) -> Canvas:
             return compose_comparison_picture(recording.comparison, size, theme)
         case StudyRecording():
             shown_study = _between(recording, excerpt)
-            return compose_learning_picture(shown_study.table, shown_study.teachers, size, theme)
+            return compose_study_picture(shown_study.table, shown_study.teachers, size, theme)
 
 
 def compose_moving(recording: Recording, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
@@ -189,7 +189,7 @@ def compose_moving(recording: Recording, size: Size, look: Look, excerpt: Excerp
             return compose_comparison_film(recording.comparison, size, rate, theme, span)
         case StudyRecording():
             shown_study = _between(recording, excerpt)
-            return compose_learning_film(shown_study.table, shown_study.teachers, size, rate, theme)
+            return compose_study_film(shown_study.table, shown_study.teachers, size, rate, theme)
 
 
 def _theme(recording: Recording, look: Look) -> Theme:

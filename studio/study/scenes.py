@@ -1,21 +1,22 @@
-"""Scenes of an outcome bank, made again: the same futures, this time to look at."""
-
-from __future__ import annotations
+"""The scenes of a study that tell most, simulated again: the bank's rollouts, now to look at."""
 
 import shlex
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 
+from learners import Prospects, Teacher
+from scenes import META_ACTIONS, InputError, Rollouts
+from scenes.bank import BankPlan, planned_scene, simulate_planned
+from studio.files import replacing
 from studio.scene.again import simulation_options
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from learners import Prospects
-    from scenes import Rollouts
-    from scenes.bank import BankPlan
+from studio.scene.judgements import judge
+from studio.scene.recording.write import write_recording
+from studio.study.recording.scenes import SceneLink
+from studio.study.results import StudyResults
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""
@@ -37,6 +38,45 @@ class BankScene:
     commands: tuple[str, ...]
 
 
+def told_scenes(table: pa.Table, teachers: Sequence[Teacher]) -> list[int]:
+    """Ids of the scenes that tell most about the learners of these teachers, each once."""
+    telling = StudyResults(table, tuple(teachers)).telling.values()
+    return list(dict.fromkeys(number for numbers in telling for number in numbers))
+
+
+def record_scenes(
+    folder: Path,
+    plan: BankPlan,
+    prospects: Prospects,
+    numbers: Sequence[int],
+    progress: Callable[[int, int], None],
+) -> dict[int, SceneLink]:
+    """Record scenes of a bank, as far as they can be made again.
+
+    Args:
+        folder: that of the study's own recording; those of the scenes lie in `FOLDER` in it.
+        plan: how the bank says it was sampled.
+        prospects: what the bank holds.
+        numbers: ids of scenes in the bank.
+        progress: told after every recording how many of how many are done.
+
+    Returns:
+        Where the recordings are, by the scene's id.
+
+    Raises:
+        InputError: if a recording cannot be written there.
+    """
+    links: dict[int, SceneLink] = {}
+    for again in scenes_again(plan, prospects, numbers):
+        name = again.rollouts.scene.name
+        path = f"{FOLDER}/{name}.rrd"
+        with replacing(folder / path) as [part]:
+            write_recording(part, again.rollouts, judge(again.rollouts))
+        links[again.number] = SceneLink(name, path, again.commands)
+        progress(len(links), len(numbers))
+    return links
+
+
 def scenes_again(
     plan: BankPlan, prospects: Prospects, numbers: Iterable[int]
 ) -> Iterator[BankScene]:
@@ -49,9 +89,6 @@ def scenes_again(
         prospects: what the bank holds.
         numbers: ids of scenes in the bank.
     """
-    from scenes import InputError
-    from scenes.bank import planned_scene, simulate_planned
-
     actions = tuple(action.name for action in plan.actions)
     if (actions, plan.rollouts) != (prospects.actions, prospects.features.shape[2]):
         return
@@ -70,8 +107,6 @@ def scenes_again(
 
 def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
     """The command lines that print the scene and record it."""
-    from scenes import META_ACTIONS
-
     options = simulation_options(rollouts)
     if options is None or rollouts.actions != META_ACTIONS:
         return ()

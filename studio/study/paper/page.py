@@ -17,10 +17,9 @@ from matplotlib.textpath import text_to_path
 from matplotlib.transforms import Affine2D, Transform
 from numpy.typing import ArrayLike
 
-from learners import Curve
 from studio.arrays import FloatArray
 from studio.painter.frames import decades
-from studio.study.picture.results import Results
+from studio.study.results import StudyResults
 from studio.style.palette import LIGHT, Colour
 from studio.style.words import learner_name, number
 
@@ -67,7 +66,7 @@ def settings() -> Iterator[None]:
 
 
 @dataclass(frozen=True)
-class Regrets:
+class RegretAxis:
     """The axis of regret, in %: logarithmic, with a place for 0 below if some mean is 0.
 
     Attributes:
@@ -83,19 +82,14 @@ class Regrets:
     has_zero: bool
 
     @classmethod
-    def around(cls, curves: Sequence[Curve]) -> "Regrets":
-        """The axis that holds these curves, and their bands where these keep away from 0."""
-        means, lows, highs = (
-            np.concatenate([np.zeros(0), *(getattr(curve, name) for curve in curves)])
-            for name in ("mean", "low", "high")
-        )
-        least = float(means[means > 0.0].min(initial=np.inf))
-        if not np.isfinite(least):
-            least = 0.1
-        low = max(float(lows[lows > 0.0].min(initial=least)), least / 3.0) / 1.2
-        high = 1.2 * float(highs.max(initial=10.0 * low))
-        has_zero = bool((means <= 0.0).any())
-        return cls(low, high, low * (low / high) ** 0.12 if has_zero else low, has_zero)
+    def around(cls, results: StudyResults) -> "RegretAxis":
+        """The axis that holds all curves, and their bands where these keep away from 0."""
+        regrets = results.regrets
+        lows = np.array([low for curve in results.curves("regret_percent") for low in curve.low])
+        low = max(lows[lows > 0.0].min(initial=regrets.start), regrets.start / 3.0) / 1.2
+        high = 1.2 * max(regrets.most, 10.0 * low)
+        zero = low * (low / high) ** 0.12 if regrets.has_zero else low
+        return cls(low, high, zero, regrets.has_zero)
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -120,7 +114,7 @@ class Regrets:
 
 
 @dataclass(frozen=True)
-class Page:
+class PaperPage:
     """A page of panels, one above the other.
 
     Attributes:
@@ -139,8 +133,8 @@ class Page:
     foot: ClassVar[float] = EDGE + 1.25 * TYPE + 0.5 * PAD + SMALL_TYPE + PAD
 
     @classmethod
-    def of(cls, results: Results, up: Regrets) -> "Page":
-        """The page with room for the results' panels, and numbers and names beside them."""
+    def of(cls, results: StudyResults, up: RegretAxis) -> "PaperPage":
+        """The page with room for a panel a teacher, and numbers and names beside them."""
         panels = max(len(results.teachers), 1)
         numbers = [measure(number(mark), SMALL_TYPE) for mark in up.marks()]
         left = EDGE + 1.25 * TYPE + PAD + max(numbers, default=0.0) + PAD

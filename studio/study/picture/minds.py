@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from learners import Teacher, unit_vector, value, weight
+from learners import CptParameters, Teacher, unit_vector, value, weight
 from studio.arrays import FloatArray
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.frames import (
@@ -21,25 +21,18 @@ from studio.painter.frames import (
     labels_beside,
 )
 from studio.painter.plots import Axis
-from studio.study.picture.results import (
-    PARAMETERS,
-    Results,
-    Row,
-    calibration,
-    feature_names,
-    numbers_of,
-    parameters_of,
-)
 from studio.study.picture.scales import Scales
-from studio.style.palette import blend, learner_colour
+from studio.study.results import Row, Stage, parameters_of, pooled_calibration
+from studio.study.words import feature_names
+from studio.style.palette import Colour, blend, learner_colour
 from studio.style.ticks import ticks
 from studio.style.words import number
 
 _MOST_SEEDS = 60
-"""So many seeds are drawn one by one; more would only be a smear."""
+"""Of more seeds, only the first of this number are drawn; more would only be a smear."""
 
 _FEW_SEEDS = 8
-"""Lines of more seeds than that are translucent, so that they do not fill the plot."""
+"""Lines of more seeds than this are translucent, so that they do not fill the plot."""
 
 _SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
 """How dark curves are, from few pairs to many."""
@@ -50,16 +43,15 @@ _GAP = 26
 """Between plots side by side, in units of the page."""
 
 
-def draw_shapes(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
-) -> None:
+def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
     """Draw how probabilities are weighted and utilities valued, learnt and in truth.
 
     Choices tell v and the length of θ only together. What a learner makes of the teacher's utility
     x is therefore v(x ‖θ‖/‖θ*‖), with θ and v both learnt.
     """
     losses, gains, worth = box.columns((1, 1, 1), 0.7 * _GAP * canvas.unit)
-    truth = teacher.parameters
+    truth, learnt = teacher.parameters, _shaded_shapes(stage, teacher)
+    colour = learner_colour(stage.results.shaped[0])
     p = np.linspace(0.0, 1.0, 101)
     for at, column, wordings in (
         (losses, "delta", ["Weight of losses", "Losses"]),
@@ -74,13 +66,11 @@ def draw_shapes(
             [(panel.left, panel.bottom), (panel.right, panel.top)], canvas.theme.grid, canvas.hair
         )
         labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
-        curves = [
-            (shade, weight(p, float(row[column]))) for shade, row in _shaded_rows(results, teacher)
-        ]
+        curves = [(each.shade, weight(p, getattr(each.parameters, column))) for each in learnt]
         true = weight(p, getattr(truth, column), weighting=teacher.weighting)
-        _draw_shape(canvas, panel, across, up, p, curves, true, results)
+        _draw_shape(canvas, panel, across, up, p, curves, true, colour)
         if column == "delta":
-            _draw_key(canvas, panel, results)
+            _draw_key(canvas, panel, stage)
     rest = caption(canvas, worth, ["Value of utility x", "Value of x", "Value"])
     panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
     reach = scales.reach
@@ -94,23 +84,33 @@ def draw_shapes(
     labels_below(canvas, panel, across.at, (-reach, 0.0, reach), "")
     x = reach * np.sign(np.linspace(-1, 1, 121)) * np.linspace(-1, 1, 121) ** 2
     length = float(np.linalg.norm(teacher.reward)) or 1.0
-    curves = []
-    for shade, row in _shaded_rows(results, teacher):
-        parameters = parameters_of(row)
-        stretch = float(np.linalg.norm(row["theta"])) / length
-        if parameters is not None:
-            curves.append((shade, value(x * stretch, parameters)))
-    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), results)
+    curves = [(each.shade, value(x * each.length / length, each.parameters)) for each in learnt]
+    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), colour)
 
 
-def _shaded_rows(results: Results, teacher: Teacher) -> list[tuple[float, Row]]:
-    """Fits of the learner whose shapes are shown, few pairs first, and how dark to draw them."""
-    sizes = results.sharpening
+@dataclass(frozen=True)
+class _Shape:
+    """What one fit makes of probabilities and utilities.
+
+    Attributes:
+        shade: how dark its curves are drawn, 0 to 1.
+        parameters: that it learnt.
+        length: of the θ that it learnt.
+    """
+
+    shade: float
+    parameters: CptParameters
+    length: float
+
+
+def _shaded_shapes(stage: Stage, teacher: Teacher) -> list[_Shape]:
+    """The shapes that the first of the learners with shapes learnt, those of few pairs first."""
+    sizes, results = stage.sharpening, stage.results
     return [
-        (shade, row)
+        _Shape(shade, parameters, float(np.linalg.norm(fit["theta"])))
         for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
-        for row in results.fits_of(teacher.name, results.shaped[0], pairs)[:_MOST_SEEDS]
-        if parameters_of(row) is not None
+        for fit in results.fits_of(teacher, results.shaped[0], pairs)[:_MOST_SEEDS]
+        if (parameters := parameters_of(fit)) is not None
     ]
 
 
@@ -122,11 +122,10 @@ def _draw_shape(
     x: FloatArray,
     curves: Sequence[tuple[float, FloatArray]],
     truth: FloatArray,
-    results: Results,
+    colour: Colour,
 ) -> None:
     """Draw learnt curves, the darker ones above, and the true one on top."""
     part, unit = canvas.clipped(panel), canvas.unit
-    colour = learner_colour(results.shaped[0])
     for shade in dict.fromkeys(shade for shade, _ in curves):
         lines = [
             np.stack([_straight(across, x), _straight(up, y)], axis=-1)
@@ -144,17 +143,17 @@ def _draw_shape(
     dashed_path(part, true, canvas.theme.ink, 2.4 * unit)
 
 
-def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
+def _draw_key(canvas: Canvas, panel: Box, stage: Stage) -> None:
     """Write which shade stands for how many pairs, below the weighting curves, if there is room."""
     unit, size = canvas.unit, canvas.type.small
-    sizes, step = results.sharpening, 1.05 * canvas.type.small
+    sizes, step = stage.sharpening, 1.05 * canvas.type.small
     right, bottom = panel.right - 5 * unit, panel.bottom - 0.7 * size
     widest = max((canvas.measure(str(pairs), size) for pairs in sizes), default=0.0)
     left = right - widest - 20 * unit
     # the free corner is as high as half the panel
     if len(sizes) < 2 or len(sizes) * step > 0.5 * panel.height or left < panel.centre[0]:
         return
-    colour = learner_colour(results.shaped[0])
+    colour = learner_colour(stage.results.shaped[0])
     for index, (pairs, shade) in enumerate(zip(sizes, _SHADES[len(sizes)], strict=True)):
         middle = bottom - (len(sizes) - 1 - index) * step
         stroke = [(left, middle), (left + 15 * unit, middle)]
@@ -170,11 +169,12 @@ def _straight(axis: Axis, values: FloatArray) -> FloatArray:
 
 
 def draw_parameters(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw θ and the parameters that were learnt from the most pairs, a dot a seed."""
-    learnt = {name: results.largest(teacher.name, name) for name in results.learners}
-    halves = box.columns((1.45, 1), _GAP * canvas.unit) if results.shaped else (box,)
+    shaped = stage.results.shaped
+    learnt = {name: stage.largest(teacher, name) for name in stage.results.learners}
+    halves = box.columns((1.45, 1), _GAP * canvas.unit) if shaped else (box,)
     low, high = scales.theta
     _draw_cosines(canvas, halves[0], learnt, teacher)
     plot = _RowPlot(
@@ -187,26 +187,26 @@ def draw_parameters(
     plot.draw(
         canvas, halves[0], Axis(low, high, 0.0, 1.0), unit_vector(teacher.reward).tolist(), units
     )
-    if not results.shaped:
+    if not shaped:
         return
     low, high = scales.parameters
     plot = _RowPlot(
         ["Parameters of prospect theory", "Risk parameters", "Parameters"],
-        list(PARAMETERS.values()),
+        CptParameters.SYMBOLS,
         [mark for mark in (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0) if low <= mark <= high],
         1.0,
     )
     numbers = {
         name: [
-            np.array(numbers_of(parameters))
-            for parameters in map(parameters_of, learnt[name])
+            np.array(parameters.numbers)
+            for parameters in map(parameters_of, fits)
             if parameters is not None
         ]
-        for name in results.learners
-        if name in results.shaped
+        for name, fits in learnt.items()
+        if name in shaped
     }
     across = LogAxis(low, high, 0.0, 1.0, 0.0)
-    plot.draw(canvas, halves[1], across, numbers_of(teacher.parameters), numbers)
+    plot.draw(canvas, halves[1], across, teacher.parameters.numbers, numbers)
 
 
 def _draw_cosines(
@@ -282,7 +282,7 @@ class _RowPlot:
         rows = panel.rows([1.0] * len(self.names))
         part = canvas.clipped(panel)
         for index, (name, true, row) in enumerate(zip(self.names, truth, rows, strict=True)):
-            # where rows are lower than type, only so many are named
+            # where rows are lower than type, only every second, third ... one is named
             if index % math.ceil(1.05 * size / row.height) == 0:
                 text = canvas.fitted(name, left - 6 * unit, size)
                 right = panel.left - 6 * unit
@@ -313,7 +313,7 @@ class _RowPlot:
 
 
 def draw_calibration(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw how much more often the teacher prefers than what was predicted."""
     wordings = [
@@ -338,14 +338,15 @@ def draw_calibration(
     zero = np.array([(panel.left, up.at(0.0)), (panel.right, up.at(0.0))])
     dashed_path(canvas, zero, canvas.theme.ink, 1.2 * canvas.unit)
     part = canvas.clipped(panel)
-    for pairs in dict.fromkeys((*results.sizes[:1], *results.sizes[-1:])):
-        for name in results.learners:
-            points = calibration(results.fits_of(teacher.name, name, pairs))
-            if not len(points):
+    for pairs in dict.fromkeys((*stage.sizes[:1], *stage.sizes[-1:])):
+        for name in stage.results.learners:
+            found = pooled_calibration(stage.results.fits_of(teacher, name, pairs))
+            if not len(found.count):
                 continue
             colour = learner_colour(name)
-            line = np.stack([across.along(points[:, 0]), up.along(points[:, 1])], axis=-1)
-            if pairs < results.sizes[-1]:
+            missed = 100.0 * (found.preferred - found.predicted)
+            line = np.stack([across.along(100.0 * found.predicted), up.along(missed)], axis=-1)
+            if pairs < stage.sizes[-1]:
                 part.line(line, blend(colour, canvas.theme.panel, 0.5), 1.2 * canvas.unit)
                 continue
             part.line(line, colour, 2.2 * canvas.unit)

@@ -22,16 +22,15 @@ from studio.painter.frames import (
     labels_beside,
 )
 from studio.painter.plots import Axis
-from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales
+from studio.study.results import Stage
+from studio.study.words import NO_FITS
 from studio.style.palette import Colour, learner_colour
 from studio.style.ticks import ticks
 from studio.style.words import learner_name, number
 
 
-def draw_regret(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
-) -> None:
+def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
     """Draw how regret fell with the number of pairs so far, both logarithmic."""
     kind = canvas.type
     wordings = [
@@ -44,19 +43,19 @@ def draw_regret(
     low, high = scales.regret
     marks = decades(low, high)
     left = gutter(canvas, [number(mark) for mark in marks])
-    curves = [curve for curve in results.regret if curve.teacher == teacher.name]
     panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
-    strip = 1.5 * kind.small if scales.has_zero else 0.0
+    has_zero = stage.results.regrets.has_zero
+    strip = 1.5 * kind.small if has_zero else 0.0
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
-    if scales.has_zero:
-        marks = [0.0, *marks]
-    drawn = _draw_curves(canvas, panel, results, curves, up, marks, 1.0, _percent)
+    marks = [0.0, *marks] if has_zero else marks
+    curves = stage.results.curves_of("regret_percent", teacher)
+    drawn = _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent)
     if not drawn:
-        canvas.text(panel.centre, "no fits yet", kind.small, canvas.theme.faint, anchor="centre")
+        canvas.text(panel.centre, NO_FITS, kind.small, canvas.theme.faint, anchor="centre")
 
 
 def draw_agreement(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw in what share of scenes the teacher's best action was picked so far."""
     wordings = [
@@ -72,14 +71,14 @@ def draw_agreement(
     panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
     # a margin keeps dots at the top whole
     up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
-    curves = [curve for curve in results.agreement if curve.teacher == teacher.name]
-    _draw_curves(canvas, panel, results, curves, up, marks, 100.0, "{:.0f}".format)
+    curves = stage.results.curves_of("agreement", teacher)
+    _draw_curves(canvas, panel, stage, curves, up, marks, 100.0, "{:.0f}".format)
 
 
 def _draw_curves(
     canvas: Canvas,
     panel: Box,
-    results: Results,
+    stage: Stage,
     curves: Sequence[Curve],
     up: Axis | LogAxis,
     marks: Sequence[float],
@@ -88,12 +87,12 @@ def _draw_curves(
 ) -> int:
     """Draw curves over the number of pairs, with bands, and names at their ends.
 
-    They go as far as the results do; their names stand to the right of the farthest end.
+    They go as far as the stage does; their names stand to the right of the farthest end.
 
     Args:
         canvas: to draw on.
         panel: where, px.
-        results: how far the curves go.
+        stage: how far the curves go.
         curves: of the whole study.
         up: the vertical axis.
         marks: values to write beside it.
@@ -108,7 +107,7 @@ def _draw_curves(
     widest = [canvas.measure(said, size, SEMIBOLD) for texts in wordings for said, _ in texts]
     room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
     pen = 9 * unit
-    sizes = [float(pairs) for pairs in results.all_sizes]
+    sizes = [float(pairs) for pairs in stage.results.sizes]
     first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
     if first == last:
         first = last / 4.0  # a single dot lies beside its name
@@ -129,7 +128,7 @@ def _draw_curves(
     begun = [
         (_Line.of(curve, reached, across, up, scale), texts[reached - 1])
         for curve, texts in zip(curves, wordings, strict=True)
-        if (reached := int(np.count_nonzero(curve.pairs <= results.reached)))
+        if (reached := int(np.count_nonzero(curve.pairs <= stage.reached)))
     ]
     lines = [line for line, _ in begun]
     part = canvas.clipped(plot)
@@ -171,7 +170,7 @@ class _Line:
     def of(
         cls, curve: Curve, count: int, across: LogAxis, up: Axis | LogAxis, scale: float
     ) -> "_Line":
-        """The first so many means of a curve between these axes, multiplied by the scale."""
+        """The first `count` means of a curve between these axes, multiplied by the scale."""
         means, lows, highs = (values[:count] for values in (curve.mean, curve.low, curve.high))
         return cls(
             learner_colour(curve.learner),
