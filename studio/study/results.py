@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from learners import (
     PARAMETER_COLUMNS,
+    PROFILES,
     Calibration,
     CptParameters,
     Curve,
@@ -303,17 +304,28 @@ class Stage:
         sizes = self.sizes
         return tuple(sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]})) if sizes else ()
 
+    def so_far(self, curve: Curve) -> Curve:
+        """The part of a curve that is known; without numbers if there is none yet."""
+        known = curve.pairs <= self.reached
+        names = ("pairs", "runs", "mean", "std", "low", "high")
+        return replace(curve, **{name: getattr(curve, name)[known] for name in names})
+
     def largest(self, teacher: Teacher, learner: str) -> list[Row]:
         """The fits of one learner to one teacher from the most pairs so far."""
         return self.results.fits_of(teacher, learner, self.sizes[-1]) if self.sizes else []
 
 
 def parameters_of(fit: Row) -> CptParameters | None:
-    """The parameters that a fit learnt; None if its learner has none, which is expected utility."""
+    """The parameters that a fit learnt; None if its learner has none."""
     found = [fit[column] for column in PARAMETER_COLUMNS]
     if any(given is None or not np.isfinite(given) or given <= 0.0 for given in found):
         return None
     return CptParameters(*(float(given) for given in found))
+
+
+def learnt_parameters(fit: Row) -> CptParameters:
+    """The parameters of a fit; those of expected utility if its learner has none."""
+    return parameters_of(fit) or PROFILES["eu"]
 
 
 def pooled_calibration(fits: Iterable[Row]) -> Calibration:

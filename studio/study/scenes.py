@@ -2,7 +2,7 @@
 
 import shlex
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,22 +20,6 @@ from studio.study.results import StudyResults
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""
-
-
-@dataclass(frozen=True)
-class BankScene:
-    """A scene of a bank, simulated again.
-
-    Attributes:
-        number: its id in the bank.
-        rollouts: the very rollouts that the bank describes.
-        commands: the command lines that record it, in the folder that `FOLDER` lies in; none if
-            the command line cannot say what the robot does.
-    """
-
-    number: int
-    rollouts: Rollouts
-    commands: tuple[str, ...]
 
 
 def told_scenes(table: pa.Table, teachers: Sequence[Teacher]) -> list[int]:
@@ -67,22 +51,23 @@ def record_scenes(
         InputError: if a recording cannot be written there.
     """
     links: dict[int, SceneLink] = {}
-    for again in scenes_again(plan, prospects, numbers):
-        name = again.rollouts.scene.name
+    for number, rollouts in scenes_again(plan, prospects, numbers):
+        name = rollouts.scene.name
         path = f"{FOLDER}/{name}.rrd"
         with replacing(folder / path) as [part]:
-            write_recording(part, again.rollouts, judge(again.rollouts))
-        links[again.number] = SceneLink(name, path, again.commands)
+            write_recording(part, rollouts, judge(rollouts))
+        links[number] = SceneLink(name, path, record_commands(plan, rollouts))
         progress(len(links), len(numbers))
     return links
 
 
 def scenes_again(
     plan: BankPlan, prospects: Prospects, numbers: Iterable[int]
-) -> Iterator[BankScene]:
-    """Simulate scenes of a bank again; those that do not come out as they were are left out.
+) -> Iterator[tuple[int, Rollouts]]:
+    """Simulate scenes of a bank again, and give their ids with the very rollouts of the bank.
 
-    They come out so if the bank is what the plan gives, with the versions that are installed.
+    Scenes that come out otherwise than in the bank are left out: it is not what the plan gives, or
+    was made by other versions than those that are installed.
 
     Args:
         plan: how the bank says it was sampled.
@@ -102,11 +87,15 @@ def scenes_again(
         except InputError:
             continue
         if np.array_equal(rollouts.features, prospects.features[places[number]]):
-            yield BankScene(number, rollouts, record_commands(plan, rollouts))
+            yield number, rollouts
 
 
 def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
-    """The command lines that print the scene and record it."""
+    """The command lines that make the recording of a scene again, in the study's folder.
+
+    They print the scene, then record it. There are none if the command line cannot say what the
+    robot does.
+    """
     options = simulation_options(rollouts)
     if options is None or rollouts.actions != META_ACTIONS:
         return ()

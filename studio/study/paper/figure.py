@@ -2,8 +2,8 @@
 
 One panel a teacher, one above the other on shared axes. Learners are named beside the ends of their
 curves and differ in marks and dashes as well as in colour, so that the figure can be read in grey
-and by people who see colours differently. What else a reader needs to know is for the caption: that of
-`study.words` is kept in the file's metadata.
+and by people who see colours differently. What else a reader needs to know is for the caption:
+`study.words` suggests one, and it is kept in the file's metadata.
 
 The type of a PDF is embedded as TrueType (type 42). SVG has no way to embed fonts that all programs
 heed, so letters are outlines there. Files bear no date: with one version of matplotlib, the same

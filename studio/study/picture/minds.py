@@ -22,7 +22,7 @@ from studio.painter.frames import (
 )
 from studio.painter.plots import Axis
 from studio.study.picture.scales import Scales
-from studio.study.results import Row, Stage, parameters_of, pooled_calibration
+from studio.study.results import Row, Stage, learnt_parameters, parameters_of, pooled_calibration
 from studio.study.words import feature_names
 from studio.style.palette import Colour, blend, learner_colour
 from studio.style.ticks import ticks
@@ -50,7 +50,7 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
     x is therefore v(x ‖θ‖/‖θ*‖), with θ and v both learnt.
     """
     losses, gains, worth = box.columns((1, 1, 1), 0.7 * _GAP * canvas.unit)
-    truth, learnt = teacher.parameters, _shaded_shapes(stage, teacher)
+    truth, fits = teacher.parameters, _shaded_fits(stage, teacher)
     colour = learner_colour(stage.results.shaped[0])
     p = np.linspace(0.0, 1.0, 101)
     for at, column, wordings in (
@@ -66,7 +66,7 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
             [(panel.left, panel.bottom), (panel.right, panel.top)], canvas.theme.grid, canvas.hair
         )
         labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
-        curves = [(each.shade, weight(p, getattr(each.parameters, column))) for each in learnt]
+        curves = [(shade, weight(p, float(fit[column]))) for shade, fit in fits]
         true = weight(p, getattr(truth, column), weighting=teacher.weighting)
         _draw_shape(canvas, panel, across, up, p, curves, true, colour)
         if column == "delta":
@@ -84,33 +84,20 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
     labels_below(canvas, panel, across.at, (-reach, 0.0, reach), "")
     x = reach * np.sign(np.linspace(-1, 1, 121)) * np.linspace(-1, 1, 121) ** 2
     length = float(np.linalg.norm(teacher.reward)) or 1.0
-    curves = [(each.shade, value(x * each.length / length, each.parameters)) for each in learnt]
+    curves = [
+        (shade, value(x * float(np.linalg.norm(fit["theta"]) / length), learnt_parameters(fit)))
+        for shade, fit in fits
+    ]
     _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), colour)
 
 
-@dataclass(frozen=True)
-class _Shape:
-    """What one fit makes of probabilities and utilities.
-
-    Attributes:
-        shade: how dark its curves are drawn, 0 to 1.
-        parameters: that it learnt.
-        length: of the θ that it learnt.
-    """
-
-    shade: float
-    parameters: CptParameters
-    length: float
-
-
-def _shaded_shapes(stage: Stage, teacher: Teacher) -> list[_Shape]:
-    """The shapes that the first of the learners with shapes learnt, those of few pairs first."""
+def _shaded_fits(stage: Stage, teacher: Teacher) -> list[tuple[float, Row]]:
+    """Fits of the learner whose shapes are shown, few pairs first, and how dark to draw them."""
     sizes, results = stage.sharpening, stage.results
     return [
-        _Shape(shade, parameters, float(np.linalg.norm(fit["theta"])))
+        (shade, fit)
         for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
         for fit in results.fits_of(teacher, results.shaped[0], pairs)[:_MOST_SEEDS]
-        if (parameters := parameters_of(fit)) is not None
     ]
 
 

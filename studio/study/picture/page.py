@@ -65,16 +65,9 @@ def compose_study_picture(
 
 @dataclass(frozen=True)
 class TeacherColumn:
-    """Where the things to say of one teacher lie.
+    """Where the teacher's name and verdict (`head`) and the plots about one teacher lie.
 
-    Attributes:
-        teacher: who was learned from.
-        head: the teacher's name and the verdict.
-        regret: the plot of regret.
-        shapes: the plots of weights and values; None if no learner learnt any.
-        parameters: the plots of reward and parameters.
-        calibration: the plot of errors of predictions.
-        agreement: the plot of picks.
+    `shapes`, for weights and values, is None if no learner learnt any.
     """
 
     teacher: Teacher
@@ -95,8 +88,8 @@ class StudyPage:
         results: of the teachers that there is room for.
         heading: where the title lies; the number of pairs is at its right.
         columns: one a teacher.
-        notes: where the notes begin and end.
-        scales: of all plots.
+        notes: where the notes lie.
+        scales: that the plots of all teachers share.
     """
 
     canvas: Canvas

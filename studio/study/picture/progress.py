@@ -1,12 +1,10 @@
 """How learners get better with more pairs: regret, and agreement with the teacher's best action."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from learners import Curve, Teacher
-from studio.arrays import FloatArray
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.frames import (
     LogAxis,
@@ -25,7 +23,7 @@ from studio.painter.plots import Axis
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
 from studio.study.words import NO_FITS
-from studio.style.palette import Colour, learner_colour
+from studio.style.palette import learner_colour
 from studio.style.ticks import ticks
 from studio.style.words import learner_name, number
 
@@ -126,58 +124,30 @@ def _draw_curves(
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
     begun = [
-        (_Line.of(curve, reached, across, up, scale), texts[reached - 1])
+        (so_far, texts[len(so_far.pairs) - 1])
         for curve, texts in zip(curves, wordings, strict=True)
-        if (reached := int(np.count_nonzero(curve.pairs <= stage.reached)))
+        if len((so_far := stage.so_far(curve)).pairs)
     ]
-    lines = [line for line, _ in begun]
+    # x and y of the means, px
+    lines = [(across.along(curve.pairs), up.along(scale * curve.mean)) for curve, _ in begun]
+    colours = [learner_colour(curve.learner) for curve, _ in begun]
     part = canvas.clipped(plot)
-    for line in lines:
-        if len(line.x) > 1 and line.is_mean:
-            band(canvas, plot, line.x, line.low, line.high, line.colour)
-    for line in lines:
-        part.line(np.stack([line.x, line.y], axis=-1), line.colour, 2.6 * unit)
-    for line in lines:
-        for x, y in zip(line.x, line.y, strict=True):
-            dot(part, float(x), float(y), line.colour, 3.4)
-    left = max((float(line.x[-1]) for line in lines), default=end) + pen
-    labels = [(float(line.y[-1]), texts, line.colour) for line, texts in begun]
+    for (curve, _), (x, _), colour in zip(begun, lines, colours, strict=True):
+        if len(x) > 1 and (curve.runs > 1).any():
+            low, high = up.along(scale * curve.low), up.along(scale * curve.high)
+            band(canvas, plot, x, low, high, colour)
+    for (x, y), colour in zip(lines, colours, strict=True):
+        part.line(np.stack([x, y], axis=-1), colour, 2.6 * unit)
+    for (x, y), colour in zip(lines, colours, strict=True):
+        for left, middle in zip(x.tolist(), y.tolist(), strict=True):
+            dot(part, left, middle, colour, 3.4)
+    left = max((float(x[-1]) for x, _ in lines), default=end) + pen
+    labels = [
+        (float(y[-1]), texts, colour)
+        for (_, texts), (_, y), colour in zip(begun, lines, colours, strict=True)
+    ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
     return len(lines)
-
-
-@dataclass(frozen=True)
-class _Line:
-    """A learning curve on the page, px.
-
-    Attributes:
-        colour: of the learner.
-        is_mean: whether it is a mean over several seeds.
-        x: [n], where the numbers of pairs lie.
-        y: [n], where the means lie.
-        low: [n], lower ends of the intervals of the mean.
-        high: [n], upper ends.
-    """
-
-    colour: Colour
-    is_mean: bool
-    x: FloatArray
-    y: FloatArray
-    low: FloatArray
-    high: FloatArray
-
-    @classmethod
-    def of(
-        cls, curve: Curve, count: int, across: LogAxis, up: Axis | LogAxis, scale: float
-    ) -> "_Line":
-        """The first `count` means of a curve between these axes, multiplied by the scale."""
-        means, lows, highs = (values[:count] for values in (curve.mean, curve.low, curve.high))
-        return cls(
-            learner_colour(curve.learner),
-            bool((curve.runs[:count] > 1).any()),
-            across.along(curve.pairs[:count]),
-            *(up.along(scale * values) for values in (means, lows, highs)),
-        )
 
 
 def _wordings(curve: Curve, values: Sequence[str]) -> list[tuple[str, str]]:

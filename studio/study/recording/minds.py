@@ -13,7 +13,6 @@ import rerun as rr
 from learners import (
     FEATURES,
     PARAMETER_COLUMNS,
-    PROFILES,
     CptParameters,
     Spread,
     Teacher,
@@ -27,7 +26,7 @@ from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
 from studio.study.recording import entities
 from studio.study.recording.over_pairs import changing_figure, learner_entries, sides
-from studio.study.results import Row, StudyResults, parameters_of
+from studio.study.results import Row, StudyResults, learnt_parameters
 from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 
@@ -84,7 +83,7 @@ def weight_figure(teacher: Teacher, name: str, curvature: str) -> MindFigure:
     """
 
     def learnt(fit: Row) -> FloatArray:
-        weights: FloatArray = weight(PROBABILITIES, getattr(_learnt_parameters(fit), curvature))
+        weights: FloatArray = weight(PROBABILITIES, getattr(learnt_parameters(fit), curvature))
         return weights
 
     scale = linear((0.0, 0.5, 1.0))
@@ -98,7 +97,7 @@ def value_figure(teacher: Teacher) -> MindFigure:
     """How good a gain feels and how bad a loss."""
 
     def learnt(fit: Row) -> FloatArray:
-        return values_along(fit["theta"], fit["reference"], _learnt_parameters(fit))
+        return values_along(fit["theta"], fit["reference"], learnt_parameters(fit))
 
     truth = values_along(teacher.reward, teacher.reference, teacher.parameters)
     up = linear(round_ticks(1.25 * truth.min(), 1.25 * truth.max()))
@@ -245,8 +244,3 @@ def parameter_bounds(results: StudyResults) -> Bounds:
 def _number_of(spread: Spread, place: int) -> Spread:
     """The spread of one number of a list."""
     return Spread(spread.runs, *(side[place] for side in sides(spread)))
-
-
-def _learnt_parameters(fit: Row) -> CptParameters:
-    """The parameters of a fit; those of expected utility if its learner has none."""
-    return parameters_of(fit) or PROFILES["eu"]

@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 from rerun.chunk import RrdReader
 
-import learners.studying.study
+import studio.study.run
 from learners import FEATURES, CptParameters, Teacher
 from scenes import Noise
 from scenes.bank import BankPlan, write_bank
@@ -165,7 +165,7 @@ def test_an_interrupted_study_continues_where_it_stopped(
     bank: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = Studio(tmp_path / "whole").learn(bank, **SMALL).table
-    whole_batches = learners.studying.study.study_batches
+    whole_batches = studio.study.run.study_batches
     fitted: list[int] = []
 
     def counted(*arguments: Any, **keywords: Any) -> Iterator[pa.Table]:
@@ -177,11 +177,11 @@ def test_an_interrupted_study_continues_where_it_stopped(
         yield next(iter(whole_batches(*arguments, **keywords)))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(learners.studying.study, "study_batches", interrupted)
+    monkeypatch.setattr(studio.study.run, "study_batches", interrupted)
     with pytest.raises(KeyboardInterrupt):
         Studio(tmp_path / "broken").learn(bank, **SMALL)
     assert not (tmp_path / "broken" / "learning.parquet").exists()
-    monkeypatch.setattr(learners.studying.study, "study_batches", counted)
+    monkeypatch.setattr(studio.study.run, "study_batches", counted)
     continued = Studio(tmp_path / "broken").learn(bank, **SMALL).table
     assert sum(fitted) == whole.num_rows // 2
     assert continued.equals(whole)
