@@ -1,7 +1,7 @@
 """What came of a study: who learned what from whom. All media take their numbers from here."""
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -12,9 +12,6 @@ from numpy.typing import ArrayLike
 
 from learners import (
     PARAMETER_COLUMNS,
-    PROFILES,
-    Calibration,
-    CptParameters,
     Curve,
     InputError,
     PairedDifference,
@@ -30,6 +27,7 @@ from learners import (
 )
 from learners.studying.regrets import METADATA
 from studio.arrays import FloatArray
+from studio.study.fits import Row, parameters_of
 from studio.study.regret import RegretRange
 
 CURVE_COLUMNS = (
@@ -49,9 +47,6 @@ FAMILY_COLUMNS = ("regret", "regret_percent")
 
 TOLD_SCENES = 6
 """How many scenes are told of, over all teachers; of each teacher at least one."""
-
-Row = dict[str, Any]
-"""One fit: the columns of the table by name, in plain types."""
 
 
 @dataclass(frozen=True)
@@ -160,10 +155,9 @@ class StudyResults:
 
     # Curves
 
-    @cached_property
-    def curves(self) -> Callable[[str], list[Curve]]:
-        """Gives all curves of a column over the number of pairs that are finite all along."""
-        return cache(lambda column: _finite(learning_curves(self.table, column)))
+    def curves(self, column: str) -> list[Curve]:
+        """All curves of a column over the number of pairs; those with gaps are left out."""
+        return self._curves(column)
 
     def curves_of(self, column: str, teacher: Teacher) -> list[Curve]:
         """The curves of a column of all who learned from a teacher."""
@@ -254,6 +248,10 @@ class StudyResults:
         return found
 
     @cached_property
+    def _curves(self) -> Callable[[str], list[Curve]]:
+        return cache(lambda column: _finite(learning_curves(self.table, column)))
+
+    @cached_property
     def _differences(self) -> Callable[[str, str], list[PairedDifference]]:
         return cache(lambda learner, baseline: paired_differences(self.table, learner, baseline))
 
@@ -315,35 +313,8 @@ class Stage:
         return self.results.fits_of(teacher, learner, self.sizes[-1]) if self.sizes else []
 
 
-def parameters_of(fit: Row) -> CptParameters | None:
-    """The parameters that a fit learnt; None if its learner has none."""
-    found = [fit[column] for column in PARAMETER_COLUMNS]
-    if any(given is None or not np.isfinite(given) or given <= 0.0 for given in found):
-        return None
-    return CptParameters(*(float(given) for given in found))
-
-
-def learnt_parameters(fit: Row) -> CptParameters:
-    """The parameters of a fit; those of expected utility if its learner has none."""
-    return parameters_of(fit) or PROFILES["eu"]
-
-
-def pooled_calibration(fits: Iterable[Row]) -> Calibration:
-    """The calibration of several fits taken together, in the bins that have predictions."""
-    told = [fit for fit in fits if fit["calibration_count"]]
-    count, predicted, preferred = (
-        np.array([fit[f"calibration_{what}"] for fit in told], dtype=np.float64)
-        for what in ("count", "predicted", "preferred")
-    )  # (fits, bins)
-    if not told:
-        return Calibration(np.zeros(0, np.int64), np.zeros(0), np.zeros(0))
-    total = count.sum(axis=0)
-    some = total > 0.0
-    means = (np.nansum(count * each, axis=0)[some] / total[some] for each in (predicted, preferred))
-    return Calibration(total[some].astype(np.int64), *means)
-
-
 def _finite(curves: list[Curve]) -> list[Curve]:
+    """Curves whose means are numbers all along."""
     return [curve for curve in curves if np.isfinite(curve.mean).all()]
 
 

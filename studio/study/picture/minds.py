@@ -21,8 +21,9 @@ from studio.painter.frames import (
     labels_beside,
 )
 from studio.painter.plots import Axis
+from studio.study.fits import Row, learnt_parameters, parameters_of, pooled_calibration
 from studio.study.picture.scales import Scales
-from studio.study.results import Row, Stage, learnt_parameters, parameters_of, pooled_calibration
+from studio.study.results import Stage
 from studio.study.words import feature_names
 from studio.style.palette import Colour, blend, learner_colour
 from studio.style.ticks import ticks
@@ -163,17 +164,16 @@ def draw_parameters(
     learnt = {name: stage.largest(teacher, name) for name in stage.results.learners}
     halves = box.columns((1.45, 1), _GAP * canvas.unit) if shaped else (box,)
     low, high = scales.theta
-    _draw_cosines(canvas, halves[0], learnt, teacher)
+    truth = unit_vector(teacher.reward)
+    units = {name: [unit_vector(fit["theta"]) for fit in fits] for name, fits in learnt.items()}
+    _draw_cosines(canvas, halves[0], units, truth)
     plot = _RowPlot(
         _REWARD,
         feature_names(len(teacher.reward)),
         [mark for mark in ticks(low, high, 4) if low <= mark <= high],
         0.0,
     )
-    units = {name: [unit_vector(row["theta"]) for row in rows] for name, rows in learnt.items()}
-    plot.draw(
-        canvas, halves[0], Axis(low, high, 0.0, 1.0), unit_vector(teacher.reward).tolist(), units
-    )
+    plot.draw(canvas, halves[0], Axis(low, high, 0.0, 1.0), truth.tolist(), units)
     if not shaped:
         return
     low, high = scales.parameters
@@ -197,14 +197,14 @@ def draw_parameters(
 
 
 def _draw_cosines(
-    canvas: Canvas, box: Box, learnt: Mapping[str, Sequence[Row]], teacher: Teacher
+    canvas: Canvas, box: Box, learnt: Mapping[str, Sequence[FloatArray]], truth: FloatArray
 ) -> None:
-    """Write how near the learnt θ points to the true one, beside the plot's name."""
+    """Write the mean cosines of learnt and true θ/‖θ‖ beside the plot's name, if there is room."""
     size, gap = canvas.type.small, 8 * canvas.unit
     texts = [("cos", canvas.theme.faint)]
-    for name, rows in learnt.items():
-        if rows:
-            cosine = number(_mean_cosine(rows, teacher), ".3f")
+    for name, units in learnt.items():
+        if units:
+            cosine = number(float(np.mean([unit @ truth for unit in units])), ".3f")
             texts.append((cosine, canvas.theme.legible(learner_colour(name))))
     widths = [canvas.measure(text, size) for text, _ in texts]
     room = box.width - canvas.measure(_REWARD[0], size, SEMIBOLD) - gap
@@ -339,9 +339,3 @@ def draw_calibration(
             part.line(line, colour, 2.2 * canvas.unit)
             for x, y in line:
                 dot(part, float(x), float(y), colour, 2.4)
-
-
-def _mean_cosine(rows: Sequence[Row], teacher: Teacher) -> float:
-    """Mean over seeds of the cosine between the learnt and the true θ."""
-    truth = unit_vector(teacher.reward)
-    return float(np.mean([unit_vector(row["theta"]) @ truth for row in rows]))

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from learners import unit_vector, value
-from studio.study.results import StudyResults, parameters_of, pooled_calibration
+from studio.study.fits import parameters_of, pooled_calibration
+from studio.study.results import StudyResults
 from studio.style.ticks import round_range
 
 

@@ -6,9 +6,10 @@ import rerun as rr
 from learners import Teacher
 from studio.recorder.axes import LIFT, Axes, draw_key, linear
 from studio.recorder.drawing import Drawing
+from studio.study.fits import pooled_calibration
 from studio.study.recording import entities
 from studio.study.recording.over_pairs import changing_figure, learner_entries
-from studio.study.results import StudyResults, pooled_calibration
+from studio.study.results import StudyResults
 from studio.style.palette import LIGHT, blend, learner_colour
 
 LARGEST_DOT = 26.0

@@ -24,9 +24,10 @@ from studio.arrays import FloatArray
 from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear, round_ticks
 from studio.recorder.drawing import Drawing
 from studio.scene.framing import Bounds
+from studio.study.fits import Row, learnt_parameters
 from studio.study.recording import entities
 from studio.study.recording.over_pairs import changing_figure, learner_entries, sides
-from studio.study.results import Row, StudyResults, learnt_parameters
+from studio.study.results import StudyResults
 from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 
