@@ -34,7 +34,6 @@ from studio.study.paper.page import (
     STEP,
     TYPE,
     PaperPage,
-    RegretAxis,
     measure,
     points,
     rgb,
@@ -59,8 +58,9 @@ class _Pen:
 
     Attributes:
         mark: matplotlib's name of the mark.
-        dashes: lengths of dashes and gaps, in widths of the line; a whole line without.
-        filled: whether marks are; the others are white inside.
+        dashes: lengths of dashes and of the gaps after them, in widths of the line; empty for a
+            line without gaps.
+        filled: whether marks are filled; the others are white inside.
     """
 
     mark: str
@@ -103,16 +103,15 @@ def write_paper_figure(path: Path, table: pa.Table, teachers: Sequence[Teacher])
 
 def compose_paper_figure(results: StudyResults) -> Figure:
     """Draw the figure of a study."""
-    up = RegretAxis.around(results)
     with settings():
-        page = PaperPage.of(results, up)
+        page = PaperPage.of(results)
         figure = Figure((page.width / POINT, page.height / POINT), dpi=POINT)
-        _write_titles(figure, page, results)
+        _write_titles(figure, page)
         for index, teacher in enumerate(results.teachers):
-            axes = _add_panel(figure, page, index, results, up)
+            axes = _add_panel(figure, page, index)
             curves = results.curves_of("regret_percent", teacher)
-            _draw_curves(axes, page, curves, up, results)
-            _name_curves(figure, page, index, curves, up, results)
+            _draw_curves(axes, page, curves)
+            _name_curves(figure, page, index, curves)
             if not curves:
                 middle = (page.left + page.across / 2.0, page.bottom(index) + page.panel / 2.0)
                 write(figure, *middle, NO_FITS, SMALL_TYPE, ha="center", va="center")
@@ -124,10 +123,10 @@ def compose_paper_figure(results: StudyResults) -> Figure:
     return figure
 
 
-def _write_titles(figure: Figure, page: PaperPage, results: StudyResults) -> None:
+def _write_titles(figure: Figure, page: PaperPage) -> None:
     """Write titles above panels, and the teachers' parameters if all of them have room."""
-    titles = panel_titles(results)
-    remarks = [parameters_told(teacher) for teacher in results.teachers]
+    titles = panel_titles(page.results)
+    remarks = [parameters_told(teacher) for teacher in page.results.teachers]
     room = page.width - EDGE - page.left
     fit = all(
         measure(title, TYPE, "bold") + 2.0 * TYPE + measure(remark, SMALL_TYPE) <= room
@@ -141,22 +140,20 @@ def _write_titles(figure: Figure, page: PaperPage, results: StudyResults) -> Non
             write(figure, page.left + room, line, remark, SMALL_TYPE, ha="right")
 
 
-def _add_panel(
-    figure: Figure, page: PaperPage, index: int, results: StudyResults, up: RegretAxis
-) -> Axes:
+def _add_panel(figure: Figure, page: PaperPage, index: int) -> Axes:
     """Add a panel with its axes; only the lowest has numbers under it."""
-    wide, high = page.width, page.height
+    wide, high, sizes, up = page.width, page.height, page.results.sizes, page.up
     axes = figure.add_axes(
         (page.left / wide, page.bottom(index) / high, page.across / wide, page.panel / high)
     )
-    first, last = (results.sizes[0], results.sizes[-1]) if results.sizes else (1, 10)
+    first, last = (sizes[0], sizes[-1]) if sizes else (1, 10)
     margin = (last / first) ** 0.04 if last > first else 4.0
     ends = (first / margin, last * margin)
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=up.ends)
-    below = [str(size) for size in results.sizes]
+    below = [str(size) for size in sizes]
     lengths = [measure(text, SMALL_TYPE) for text in below]
-    shown = with_room(_along(page, results.sizes, ends), lengths, 0.5 * SMALL_TYPE)
-    _set_ticks(axes.xaxis, [float(size) for size in results.sizes], below, shown)
+    shown = with_room(_along(page, sizes, ends), lengths, 0.5 * SMALL_TYPE)
+    _set_ticks(axes.xaxis, [float(size) for size in sizes], below, shown)
     marks = up.marks()
     heights = [page.panel * up.share(mark) for mark in marks]
     shown = with_room(heights, [SMALL_TYPE] * len(marks), 0.2 * SMALL_TYPE)
@@ -188,13 +185,11 @@ def _along(page: PaperPage, sizes: Sequence[int], ends: tuple[float, float]) -> 
     return [page.across * float(share) for share in shares]
 
 
-def _draw_curves(
-    axes: Axes, page: PaperPage, curves: Sequence[Curve], up: RegretAxis, results: StudyResults
-) -> None:
+def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
     """Draw curves with the bands of their intervals; a single interval is a bar."""
     for curve in curves:
-        look = _look(curve.learner, results)
-        low, high = up.along(curve.low), up.along(curve.high)
+        look = _look(curve.learner, page.results)
+        low, high = page.up.along(curve.low), page.up.along(curve.high)
         if len(curve.pairs) == 1:
             axes.vlines(curve.pairs, low, high, color=look["color"], linewidth=0.8)
             continue
@@ -211,28 +206,22 @@ def _draw_curves(
     for curve in curves:
         places = _along(page, curve.pairs.tolist(), axes.get_xlim())
         marked = with_room(places, [_MARK] * len(places), 0.5 * _MARK)
-        look = _look(curve.learner, results)
-        axes.plot(curve.pairs, up.along(curve.mean), markevery=marked, zorder=3, **look)
+        look = _look(curve.learner, page.results)
+        axes.plot(curve.pairs, page.up.along(curve.mean), markevery=marked, zorder=3, **look)
 
 
-def _name_curves(
-    figure: Figure,
-    page: PaperPage,
-    index: int,
-    curves: Sequence[Curve],
-    up: RegretAxis,
-    results: StudyResults,
-) -> None:
+def _name_curves(figure: Figure, page: PaperPage, index: int, curves: Sequence[Curve]) -> None:
     """Write learners' names beside the ends of their curves, each after a piece of its line."""
     low, top = page.bottom(index), page.top(index)
     ends = sorted(
-        (low + page.panel * up.share(float(curve.mean[-1])), curve.learner) for curve in curves
+        (low + page.panel * page.up.share(float(curve.mean[-1])), curve.learner) for curve in curves
     )
     heights = spread_apart([y for y, _ in ends], STEP, low + STEP / 2.0, top - STEP / 2.0)
     start = page.left + page.across + PAD
     end = start + SAMPLE
     for y, (_, learner) in zip(heights, ends, strict=True):
-        line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **_look(learner, results))
+        look = _look(learner, page.results)
+        line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **look)
         line.set(transform=points(figure), markevery=[1])
         figure.add_artist(line)
         room = page.width - EDGE - end - PAD

@@ -71,15 +71,13 @@ class RegretAxis:
 
     Attributes:
         low: the smallest value above 0 that it shows.
-        high: the largest one.
+        high: the largest value that it shows.
         zero: where 0 lies on the axis; the same as `low` if it shows no 0.
-        has_zero: whether it shows 0.
     """
 
     low: float
     high: float
     zero: float
-    has_zero: bool
 
     @classmethod
     def around(cls, results: StudyResults) -> "RegretAxis":
@@ -89,12 +87,13 @@ class RegretAxis:
         low = max(lows[lows > 0.0].min(initial=regrets.start), regrets.start / 3.0) / 1.2
         high = 1.2 * max(regrets.most, 10.0 * low)
         zero = low * (low / high) ** 0.12 if regrets.has_zero else low
-        return cls(low, high, zero, regrets.has_zero)
+        return cls(low, high, zero)
 
     @property
     def ends(self) -> tuple[float, float]:
         """From where to where the axis reaches."""
-        below = self.zero * (self.low / self.high) ** 0.05 if self.has_zero else self.low
+        has_zero = self.zero < self.low
+        below = self.zero * (self.low / self.high) ** 0.05 if has_zero else self.low
         return below, self.high
 
     def along(self, regrets: ArrayLike) -> FloatArray:
@@ -110,7 +109,8 @@ class RegretAxis:
 
     def marks(self) -> list[float]:
         """What numbers stand beside the axis."""
-        return [0.0] * self.has_zero + decades(self.low, self.high)
+        marks = decades(self.low, self.high)
+        return [0.0, *marks] if self.zero < self.low else marks
 
 
 @dataclass(frozen=True)
@@ -118,31 +118,41 @@ class PaperPage:
     """A page of panels, one above the other.
 
     Attributes:
-        panels: how many there are, 1 or more.
+        results: what its panels show, one a teacher.
+        up: the axis of regret that panels share.
         left: where panels begin, pt.
         across: width of a panel, pt.
-        panel: height of a panel, pt.
     """
 
-    panels: int
+    results: StudyResults
+    up: RegretAxis
     left: float
     across: float
-    panel: float
 
     width: ClassVar[float] = WIDTH / _INCH * POINT
     foot: ClassVar[float] = EDGE + 1.25 * TYPE + 0.5 * PAD + SMALL_TYPE + PAD
 
     @classmethod
-    def of(cls, results: StudyResults, up: RegretAxis) -> "PaperPage":
-        """The page with room for a panel a teacher, and numbers and names beside them."""
-        panels = max(len(results.teachers), 1)
+    def of(cls, results: StudyResults) -> "PaperPage":
+        """The page with room for all panels, and for the numbers and names beside them."""
+        up = RegretAxis.around(results)
         numbers = [measure(number(mark), SMALL_TYPE) for mark in up.marks()]
         left = EDGE + 1.25 * TYPE + PAD + max(numbers, default=0.0) + PAD
         names = [measure(learner_name(name), SMALL_TYPE) for name in results.learners]
         named = min(max(names, default=0.0), _LONGEST_NAME * cls.width)
         right = PAD + SAMPLE + PAD + named + 2.0 * EDGE
-        height = max(_HEIGHTS.get(panels, _LEAST_HEIGHT), STEP * len(names))
-        return cls(panels, left, cls.width - left - right, height)
+        return cls(results, up, left, cls.width - left - right)
+
+    @property
+    def panels(self) -> int:
+        """How many panels there are, 1 or more."""
+        return max(len(self.results.teachers), 1)
+
+    @property
+    def panel(self) -> float:
+        """Height of a panel, pt."""
+        least = _HEIGHTS.get(self.panels, _LEAST_HEIGHT)
+        return max(least, STEP * len(self.results.learners))
 
     @property
     def height(self) -> float:

@@ -14,13 +14,11 @@ from click.testing import CliRunner, Result
 from rerun.chunk import RrdReader
 
 import studio.study.run
-from learners import FEATURES, CptParameters, Teacher
+from learners import FEATURES
 from scenes import Noise
 from scenes.bank import BankPlan, write_bank
 from studio.cli import main
-from studio.errors import InputError
 from studio.orchestrator import Studio
-from studio.study.teachers import read_teachers
 
 CONTRACT = [
     "teacher", "learner", "pairs", "seed", "regret", "regret_percent", "nll", "certainty",
@@ -206,14 +204,6 @@ def test_a_teacher_of_ones_own_can_be_named(bank: Path, tmp_path: Path) -> None:
     assert result.exit_code == 0, result.stderr
     table = pq.read_table(tmp_path / "learning.parquet")
     assert set(table["teacher"].to_pylist()) == {"tk", "cautious"}
-
-
-def test_profiles_are_read_in_the_order_of_the_letters() -> None:
-    [mine] = read_teachers((), ("mine=0.9,0.8,4,0.6,0.7",), beta=None)
-    assert mine == Teacher("mine", CptParameters(0.9, 0.8, 4.0, 0.6, 0.7))
-    assert all(teacher.beta == 5.0 for teacher in read_teachers(("eu", "tk"), (), beta=5.0))
-    with pytest.raises(InputError, match=r"--profile: 'mine=1,2' is not a profile: NAME="):
-        read_teachers((), ("mine=1,2",), beta=None)
 
 
 Change = Callable[[pa.Table], pa.Table]
