@@ -225,11 +225,11 @@ class StudyResults:
         curve = self.family_curve("regret", family, teacher, learner)
         if curve is None:
             return None
-        mean, std, low, high = (
-            self.percents(teacher, family, side)
-            for side in (curve.mean, curve.std, curve.low, curve.high)
-        )
-        return replace(curve, mean=mean, std=std, low=low, high=high)
+        sides: dict[str, Any] = {
+            name: self.percents(teacher, family, getattr(curve, name))
+            for name in ("mean", "std", "low", "high")
+        }
+        return replace(curve, **sides)
 
     def percents(self, teacher: Teacher, family: str, regrets: ArrayLike) -> FloatArray:
         """Regrets in % of what a random action costs a teacher in a family, on average."""

@@ -34,7 +34,7 @@ SIZE = (1600, 1000)
 MOST_TEACHERS = 4
 """Columns of more teachers would be too narrow to read."""
 
-_BETWEEN = 14  # rows
+_BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
 

@@ -9,7 +9,12 @@ from studio.scene.framing import Bounds
 from studio.scene.recording.blueprint import drawn_view, page_view
 from studio.study.recording import entities
 from studio.study.recording.calibration import calibration_axes
-from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
+from studio.study.recording.curves import (
+    AGREEMENT_CURVES,
+    LIKELIHOOD_CURVES,
+    REGRET_CURVES,
+    CurveFigure,
+)
 from studio.study.recording.families import family_figure
 from studio.study.recording.minds import parameter_bounds
 from studio.study.results import StudyResults
@@ -50,7 +55,7 @@ def study_overview_tab(results: StudyResults) -> rrb.Container:
         _beside_one_another(
             [
                 rrb.Vertical(
-                    curve_view(results, teacher, REGRET),
+                    curve_view(results, teacher, REGRET_CURVES),
                     mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
                 )
                 for teacher in results.teachers
@@ -67,8 +72,8 @@ def teacher_tab(results: StudyResults, teacher: Teacher) -> rrb.Container:
     return rrb.Horizontal(
         rrb.Vertical(
             rrb.Horizontal(
-                curve_view(results, teacher, REGRET),
-                curve_view(results, teacher, AGREEMENT),
+                curve_view(results, teacher, REGRET_CURVES),
+                curve_view(results, teacher, AGREEMENT_CURVES),
             ),
             rrb.Horizontal(
                 mind_view(teacher, entities.GAIN_WEIGHTS, "w(p) of gains"),
@@ -78,7 +83,7 @@ def teacher_tab(results: StudyResults, teacher: Teacher) -> rrb.Container:
         ),
         rrb.Vertical(
             page_view(entities.page(teacher.name), "Numbers"),
-            figure_view(
+            study_figure_view(
                 teacher,
                 entities.PARAMETERS,
                 parameter_bounds(results),
@@ -97,7 +102,7 @@ def families_tab(results: StudyResults) -> rrb.Container:
     return rrb.Horizontal(
         _beside_one_another(
             [
-                figure_view(
+                study_figure_view(
                     teacher,
                     entities.FAMILIES,
                     bounds,
@@ -117,13 +122,13 @@ def calibration_tab(results: StudyResults) -> rrb.Container:
     return _beside_one_another(
         [
             rrb.Vertical(
-                figure_view(
+                study_figure_view(
                     teacher,
                     entities.CALIBRATION,
                     calibration_axes().bounds,
                     f"{_name(teacher)}: choices over predictions",
                 ),
-                curve_view(results, teacher, LIKELIHOOD),
+                curve_view(results, teacher, LIKELIHOOD_CURVES),
                 row_shares=[6, 5],
             )
             for teacher in results.teachers
@@ -135,15 +140,15 @@ def calibration_tab(results: StudyResults) -> rrb.Container:
 def curve_view(results: StudyResults, teacher: Teacher, kind: CurveFigure) -> rrb.View:
     """A learning curve."""
     title = f"{_name(teacher)}: {kind.title}"
-    return figure_view(teacher, kind.name, kind.axes(results).bounds, title)
+    return study_figure_view(teacher, kind.name, kind.axes(results).bounds, title)
 
 
 def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
     """Learnt functions beside the teacher's."""
-    return figure_view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
+    return study_figure_view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
 
 
-def figure_view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
+def study_figure_view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
     """A drawn figure about what was learned from a teacher."""
     return drawn_view([f"{entities.figure(teacher.name, name)}/**"], bounds, title)
 

@@ -27,13 +27,14 @@ from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 
 HEIGHT = 0.95
-"""Of the page of a curve, which is 1 wide."""
+"""Height of the page of a curve, which is 1 wide."""
 
 LEAST_REGRET = 0.01
-"""Smaller regrets, 0 among them, are drawn at this where there is none above, %."""
+"""The scale of regret begins no lower, %; what is smaller is drawn at its lower end."""
 
 AGREEMENT_STEPS = (0.01, 0.02, 0.05, 0.1)
-"""From tick to tick of the share of best actions found: the finest with few enough ticks."""
+"""Steps from tick to tick of the share of best actions found; the finest that gives few enough is
+taken."""
 
 MOST_STEPS = 10
 """There are no more steps than this, so that the words at ticks do not touch."""
@@ -42,7 +43,7 @@ STROKES = 240
 """How many strokes fill a band."""
 
 BAND_OPACITY = 0.25
-"""Of bands on the ground, and on one another."""
+"""How opaque bands are, on the ground and on one another."""
 
 
 @dataclass(frozen=True)
@@ -73,14 +74,14 @@ class CurveFigure:
 
 
 def regret_scale(curves: Sequence[Curve]) -> Scale:
-    """Of regrets in %; a regret of 0 lies at its lower end."""
+    """The scale of regrets in %; a regret of 0 lies at its lower end."""
     regrets = RegretRange.around(curves)
     highest = max(regrets.most, 3.0 * LEAST_REGRET)
     return ratio_scale(max(LEAST_REGRET, min(regrets.least, highest)), highest, unit=" %")
 
 
 def agreement_scale(curves: Sequence[Curve]) -> Scale:
-    """Of shares of scenes, up to 1."""
+    """The scale of shares of scenes, up to 1."""
     below = 1.0 - min(curve.low.min() for curve in curves)
     step = next(step for step in AGREEMENT_STEPS if below <= MOST_STEPS * step)
     steps = max(1, int(np.ceil(below / step - 1e-9)))
@@ -89,17 +90,17 @@ def agreement_scale(curves: Sequence[Curve]) -> Scale:
 
 
 def likelihood_scale(curves: Sequence[Curve]) -> Scale:
-    """Of negative log-likelihoods in nats."""
+    """The scale of negative log-likelihoods in nats."""
     means = np.concatenate([curve.mean for curve in curves])
     lowest = max(float(means.min()), 1e-3)
     return ratio_scale(lowest, max(float(means.max()), 1.5 * lowest), (1.0, 2.0, 3.0, 5.0))
 
 
-REGRET = CurveFigure(entities.REGRET, "regret_percent", "regret over pairs", regret_scale)
-AGREEMENT = CurveFigure(
+REGRET_CURVES = CurveFigure(entities.REGRET, "regret_percent", "regret over pairs", regret_scale)
+AGREEMENT_CURVES = CurveFigure(
     entities.AGREEMENT, "agreement", "best action found", agreement_scale, falls=False
 )
-LIKELIHOOD = CurveFigure(
+LIKELIHOOD_CURVES = CurveFigure(
     entities.LIKELIHOOD,
     "nll",
     "negative log-likelihood, nats a pair, over pairs",

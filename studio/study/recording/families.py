@@ -18,11 +18,11 @@ from studio.study.words import learner_called
 from studio.style.palette import LIGHT, blend, learner_colour
 from studio.style.words import counted, short
 
-# Lengths are in units of the page, which is as wide as the scale with the boxes beside it.
+# All lengths are in units of the page: 1 is the width of the boxes and the scale together.
 
 TALLEST_STRIP, LEAST_STRIP = 0.21, 0.09
-"""Height of the strip of one learner in one family: what looks good, and what the words beside it
-need."""
+"""Height of the strip of one learner in one family: what looks good, and what
+the words beside it need."""
 
 ROOM = 2.4
 """Height that all strips share as long as they need no more."""
@@ -54,10 +54,8 @@ Unreasonable Effectiveness of Quasirandom Sequences", 2018)."""
 class FamilyFigure:
     """What the figures of all teachers are drawn on: a strip a family and learner, top to bottom.
 
-    Attributes:
-        families: names.
-        learners: names.
-        scale: of regrets above 0, in % of a random action's, along the page from `SCALE_LEFT` on.
+    The scale, along the page from `SCALE_LEFT` on, is that of regrets above 0, in % of a random
+    action's.
     """
 
     families: tuple[str, ...]
@@ -66,18 +64,18 @@ class FamilyFigure:
 
     @property
     def strip_height(self) -> float:
-        """Of one learner in one family."""
+        """Height of the strip of one learner in one family."""
         share = (ROOM / len(self.families) - HEADING) / len(self.learners)
         return max(LEAST_STRIP, min(TALLEST_STRIP, share))
 
     @property
     def family_height(self) -> float:
-        """Of one family with its name."""
+        """Height of all strips of one family with its name."""
         return HEADING + self.strip_height * len(self.learners)
 
     @property
     def height(self) -> float:
-        """From the lowest strip to the name of the highest family."""
+        """Height from the lowest strip to the name of the highest family."""
         return len(self.families) * self.family_height
 
     def strip(self, family: str, learner: str) -> float:

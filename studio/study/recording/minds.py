@@ -44,7 +44,7 @@ KEY_COLUMNS = 2
 """How many learners the key of that figure names beside one another."""
 
 PARAMETER_TICKS = (0.25, 0.5, 1.0, 2.0, 4.0)
-"""Of the scale of parameters; doublings are added until it holds twice the teachers' largest."""
+"""Ticks of the scale of parameters; doublings follow until it holds twice the largest true one."""
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ def log_parameters(stream: rr.RecordingStream, results: StudyResults, teacher: T
 def spreads_of_numbers(
     results: StudyResults, teacher: Teacher, learner: str, pairs: int
 ) -> list[Spread | None]:
-    """What the seeds say of each number of θ/‖θ‖ and of each parameter; None where nothing."""
+    """What the seeds say of each number of θ/‖θ‖, then of each parameter; None where nothing."""
 
     def spread(column: str) -> Spread | None:
         curve = results.curve(column, teacher, learner)

@@ -24,7 +24,12 @@ from studio.scene.recording.write import log_text, package_versions
 from studio.study.recording import entities
 from studio.study.recording.blueprint import study_blueprint
 from studio.study.recording.calibration import log_calibration
-from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, log_curve_figure
+from studio.study.recording.curves import (
+    AGREEMENT_CURVES,
+    LIKELIHOOD_CURVES,
+    REGRET_CURVES,
+    log_curve_figure,
+)
 from studio.study.recording.families import log_families, log_family_numbers
 from studio.study.recording.minds import log_minds
 from studio.study.recording.over_pairs import each_size, log_changing_page, sides
@@ -43,7 +48,7 @@ SCHEMA_VERSION = 2
 Property = str | float | int | bool
 
 NAMED = ("teacher", "learner", "pairs")
-"""Columns that the place of a row in the recording tells."""
+"""Columns that are not kept, because entity path and time tell them."""
 
 
 def write_study_recording(
@@ -77,7 +82,7 @@ def write_study_recording(
         # screens count y downwards, figures count it upwards
         stream.log(entities.FIGURES, rr.Transform3D(scale=[1.0, -1.0, 1.0]), static=True)
         for teacher in results.teachers:
-            for kind in (REGRET, AGREEMENT, LIKELIHOOD):
+            for kind in (REGRET_CURVES, AGREEMENT_CURVES, LIKELIHOOD_CURVES):
                 log_curve_figure(stream, results, teacher, kind)
             log_minds(stream, results, teacher)
             log_calibration(stream, results, teacher)

@@ -35,7 +35,7 @@ from studio.recorder.axes import (
     ratio_scale,
     round_ticks,
 )
-from studio.study.recording.curves import AGREEMENT, REGRET
+from studio.study.recording.curves import AGREEMENT_CURVES, REGRET_CURVES
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
 from studio.study.recording.minds import value_figure, visible
 from studio.study.recording.scenes import SceneLink
@@ -230,7 +230,7 @@ def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
 
 
 def test_drawn_means_lie_where_the_axes_put_them(recording: Path, table: pa.Table) -> None:
-    axes = REGRET.axes(StudyResults(table, PAIR))
+    axes = REGRET_CURVES.axes(StudyResults(table, PAIR))
     strips = read(recording)["/figures/tk/regret"]["LineStrips2D:strips"][0]
     for curve in learning_curves(table):
         if curve.teacher == "tk":
@@ -459,7 +459,7 @@ def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: floa
     table = study_table(PAIR[:1], ["eu"], [25], 1)
     place = table.column_names.index("agreement")
     table = table.set_column(place, STUDY_SCHEMA.field("agreement"), pa.array([lowest]))
-    ticks = AGREEMENT.axes(StudyResults(table, PAIR)).y.ticks
+    ticks = AGREEMENT_CURVES.axes(StudyResults(table, PAIR)).y.ticks
     assert ticks[-1] == 1.0
     assert ticks[0] <= lowest + 1e-9
     assert 2 <= len(ticks) <= 11
