@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from learners import Curve, Teacher
+from studio.arrays import FloatArray
 from studio.painter.canvas import SEMIBOLD, Box, Canvas
 from studio.painter.frames import (
     LogAxis,
@@ -101,8 +102,16 @@ def _draw_curves(
         How many curves have begun.
     """
     unit, size = canvas.unit, canvas.type.small
-    wordings = [_wordings(curve, [say(scale * mean) for mean in curve.mean]) for curve in curves]
-    widest = [canvas.measure(said, size, SEMIBOLD) for texts in wordings for said, _ in texts]
+
+    def wordings(curve: Curve, mean: float) -> list[str]:
+        name = learner_name(curve.learner)
+        return [f"{name} {say(scale * mean)}", name]
+
+    def points(curve: Curve) -> FloatArray:
+        return np.stack([across.along(curve.pairs), up.along(scale * curve.mean)], axis=-1)
+
+    longest = [wordings(curve, mean)[0] for curve in curves for mean in curve.mean]
+    widest = [canvas.measure(said, size, SEMIBOLD) for said in longest]
     room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
     pen = 9 * unit
     sizes = [float(pairs) for pairs in stage.results.sizes]
@@ -123,37 +132,28 @@ def _draw_curves(
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
-    begun = [
-        (so_far, texts[len(so_far.pairs) - 1])
-        for curve, texts in zip(curves, wordings, strict=True)
-        if len((so_far := stage.so_far(curve)).pairs)
-    ]
-    # x and y of the means, px
-    lines = [(across.along(curve.pairs), up.along(scale * curve.mean)) for curve, _ in begun]
-    colours = [learner_colour(curve.learner) for curve, _ in begun]
+    begun = [curve for curve in map(stage.so_far, curves) if len(curve.pairs)]
     part = canvas.clipped(plot)
-    for (curve, _), (x, _), colour in zip(begun, lines, colours, strict=True):
-        if len(x) > 1 and (curve.runs > 1).any():
+    for curve in begun:
+        if len(curve.pairs) > 1 and (curve.runs > 1).any():
             low, high = up.along(scale * curve.low), up.along(scale * curve.high)
-            band(canvas, plot, x, low, high, colour)
-    for (x, y), colour in zip(lines, colours, strict=True):
-        part.line(np.stack([x, y], axis=-1), colour, 2.6 * unit)
-    for (x, y), colour in zip(lines, colours, strict=True):
-        for left, middle in zip(x.tolist(), y.tolist(), strict=True):
-            dot(part, left, middle, colour, 3.4)
-    left = max((float(x[-1]) for x, _ in lines), default=end) + pen
+            band(canvas, plot, across.along(curve.pairs), low, high, learner_colour(curve.learner))
+    for curve in begun:
+        part.line(points(curve), learner_colour(curve.learner), 2.6 * unit)
+    for curve in begun:
+        for x, y in points(curve).tolist():
+            dot(part, x, y, learner_colour(curve.learner), 3.4)
+    left = max((float(points(curve)[-1, 0]) for curve in begun), default=end) + pen
     labels = [
-        (float(y[-1]), texts, colour)
-        for (_, texts), (_, y), colour in zip(begun, lines, colours, strict=True)
+        (
+            float(points(curve)[-1, 1]),
+            wordings(curve, curve.mean[-1]),
+            learner_colour(curve.learner),
+        )
+        for curve in begun
     ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
-    return len(lines)
-
-
-def _wordings(curve: Curve, values: Sequence[str]) -> list[tuple[str, str]]:
-    """What is written where a curve has each of these values, the longer wording first."""
-    name = learner_name(curve.learner)
-    return [(f"{name} {value}", name) for value in values]
+    return len(begun)
 
 
 def _percent(share: float) -> str:
