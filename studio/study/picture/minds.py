@@ -167,33 +167,33 @@ def draw_parameters(
     truth = unit_vector(teacher.reward)
     units = {name: [unit_vector(fit["theta"]) for fit in fits] for name, fits in learnt.items()}
     _draw_cosines(canvas, halves[0], units, truth)
-    plot = _RowPlot(
+    rewards = _RowPlot(
         _REWARD,
         feature_names(len(teacher.reward)),
         [mark for mark in ticks(low, high, 4) if low <= mark <= high],
-        0.0,
+        Axis(low, high, 0.0, 1.0),
+        neutral=0.0,
+        truth=truth.tolist(),
+        learnt=units,
     )
-    plot.draw(canvas, halves[0], Axis(low, high, 0.0, 1.0), truth.tolist(), units)
+    rewards.draw(canvas, halves[0])
     if not shaped:
         return
     low, high = scales.parameters
-    plot = _RowPlot(
+    parameters = _RowPlot(
         ["Parameters of prospect theory", "Risk parameters", "Parameters"],
         CptParameters.SYMBOLS,
         [mark for mark in (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0) if low <= mark <= high],
-        1.0,
+        LogAxis(low, high, 0.0, 1.0, 0.0),
+        neutral=1.0,
+        truth=teacher.parameters.numbers,
+        learnt={
+            name: [np.array(found.numbers) for found in map(parameters_of, fits) if found]
+            for name, fits in learnt.items()
+            if name in shaped
+        },
     )
-    numbers = {
-        name: [
-            np.array(parameters.numbers)
-            for parameters in map(parameters_of, fits)
-            if parameters is not None
-        ]
-        for name, fits in learnt.items()
-        if name in shaped
-    }
-    across = LogAxis(low, high, 0.0, 1.0, 0.0)
-    plot.draw(canvas, halves[1], across, teacher.parameters.numbers, numbers)
+    parameters.draw(canvas, halves[1])
 
 
 def _draw_cosines(
@@ -222,33 +222,24 @@ class _RowPlot:
 
     Attributes:
         wordings: what the plot is called, the longest first.
-        names: of the numbers.
+        names: what the rows are called.
         marks: values to write under the plot.
+        shares: where values lie, from 0 (left) to 1 (right).
         neutral: the value that means nothing, marked by a line.
+        truth: the true number of each row.
+        learnt: of each learner the numbers of each seed, one a row.
     """
 
     wordings: Sequence[str]
     names: Sequence[str]
     marks: Sequence[float]
+    shares: Axis | LogAxis
     neutral: float
+    truth: Sequence[float]
+    learnt: Mapping[str, Sequence[FloatArray]]
 
-    def draw(
-        self,
-        canvas: Canvas,
-        box: Box,
-        shares: Axis | LogAxis,
-        truth: Sequence[float],
-        learnt: Mapping[str, Sequence[FloatArray]],
-    ) -> None:
-        """Draw what was learnt around the truth.
-
-        Args:
-            canvas: to draw on.
-            box: where, px.
-            shares: where values lie, from 0 (left) to 1 (right).
-            truth: the number of each row.
-            learnt: of each learner the numbers of each seed.
-        """
+    def draw(self, canvas: Canvas, box: Box) -> None:
+        """Draw what was learnt around the truth."""
         unit, size = canvas.unit, canvas.type.small
         rest = caption(canvas, box, self.wordings)
         left = min(gutter(canvas, self.names), 0.4 * rest.width)
@@ -256,10 +247,10 @@ class _RowPlot:
 
         def at(value: float) -> float:
             # a margin keeps dots at the ends whole
-            return panel.left + 6 * unit + shares.at(value) * (panel.width - 12 * unit)
+            return panel.left + 6 * unit + self.shares.at(value) * (panel.width - 12 * unit)
 
         ground(canvas, panel, across=[at(mark) for mark in self.marks])
-        if shares.low < self.neutral < shares.high:
+        if self.shares.low < self.neutral < self.shares.high:
             neutral = round(at(self.neutral))
             canvas.fill(
                 Box(neutral, panel.top, neutral + canvas.hair, panel.bottom),
@@ -268,7 +259,7 @@ class _RowPlot:
         labels_below(canvas, panel, at, self.marks, "")
         rows = panel.rows([1.0] * len(self.names))
         part = canvas.clipped(panel)
-        for index, (name, true, row) in enumerate(zip(self.names, truth, rows, strict=True)):
+        for index, (name, true, row) in enumerate(zip(self.names, self.truth, rows, strict=True)):
             # where rows are lower than type, only every second, third ... one is named
             if index % math.ceil(1.05 * size / row.height) == 0:
                 text = canvas.fitted(name, left - 6 * unit, size)
@@ -278,8 +269,8 @@ class _RowPlot:
                 canvas.fill(
                     Box(panel.left, row.top, panel.right, row.top + canvas.hair), canvas.theme.grid
                 )
-            lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(learnt), 1))
-            for (learner, seeds), lane in zip(learnt.items(), lanes, strict=False):
+            lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(self.learnt), 1))
+            for (learner, seeds), lane in zip(self.learnt.items(), lanes, strict=False):
                 found = [at(float(numbers[index])) for numbers in seeds]
                 if not found:
                     continue
