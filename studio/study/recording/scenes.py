@@ -127,7 +127,7 @@ def _recordings(links: Links) -> list[str]:
     return [
         "## The recordings",
         "",
-        "They show all futures of a scene under every action, and what the teachers make of them. "
+        "They show all rollouts of a scene under every action, and what the teachers make of them. "
         "The arrow at the top of the viewer leads back here.",
         "",
         "Links start from this recording's folder, where `studio view` opens the viewer. If a "
