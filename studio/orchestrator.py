@@ -268,22 +268,27 @@ class Studio:
             replacing(*files) as [parquet, png, rrd],
             replacing(*drawn, option="--figure") as papers,
         ):
-            table = self._study(study, unfinished)
+            from studio.study.run import run_or_resume, write_table
 
-            from studio.study.picture.page import compose_learning_picture
-            from studio.study.recording.write import write_learning_recording
+            with self.progress.steps("fits") as done:
+                table = run_or_resume(study, unfinished, done)
+
+            from studio.study.picture.page import compose_study_picture
+            from studio.study.recording.write import write_study_recording
 
             # first the scenes, so that no link ever leads nowhere
             links = self._record_scenes(study, table, bank)
             write_table(parquet, table)
-            compose_learning_picture(table, study.teachers).save(png)
+            compose_study_picture(table, study.teachers).save(png)
             settings = {"outcomes": bank.name}
-            write_learning_recording(rrd, table, study.teachers, settings, links)
+            write_study_recording(rrd, table, study.teachers, settings, links)
             for paper in papers:
-                from studio.study.paper.figure import paper_caption, write_paper_figure
+                from studio.study.paper.figure import write_paper_figure
+                from studio.study.results import StudyResults
+                from studio.study.words import paper_caption
 
                 write_paper_figure(paper, table, study.teachers)
-                caption = paper_caption(table, study.teachers)
+                caption = paper_caption(StudyResults(table, study.teachers))
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
         return Learned(files=(*files, *drawn, *scenes), table=table, caption=caption)
@@ -292,42 +297,15 @@ class Studio:
         """Record the scenes that tell most about the learners, as far as they can be made again."""
         from scenes import warm_up
         from scenes.bank import read_plan
-        from studio.scene.judgements import judge
-        from studio.scene.recording.write import write_recording
-        from studio.study.recording.scenes import SceneLink
-        from studio.study.results import Results
-        from studio.study.scenes import FOLDER, scenes_again
+        from studio.study.scenes import record_scenes, told_scenes
 
-        plan = read_plan(bank)
-        telling = Results(table, study.teachers).telling
-        numbers = list(dict.fromkeys(number for some in telling.values() for number in some))
+        plan, numbers = read_plan(bank), told_scenes(table, study.teachers)
         if plan is None or not numbers:
             return {}
         with self.progress.waiting(_COMPILING):
             warm_up(plan.engine)
-        links = {}
         with self.progress.steps("recordings of scenes") as done:
-            for again in scenes_again(plan, study.prospects, numbers):
-                name = again.rollouts.scene.name
-                path = f"{FOLDER}/{name}.rrd"
-                with replacing(self.out / path) as [part]:
-                    write_recording(part, again.rollouts, judge(again.rollouts))
-                links[again.number] = SceneLink(name, path, again.commands)
-                done(len(links), len(numbers))
-        return links
-
-    def _study(self, study: Study, unfinished: Path) -> pa.Table:
-        """Run a study, keeping what is finished in a file."""
-        from learners.studying.study import study_batches
-        from learners.studying.table import whole_table
-
-        parts = finished_rows(study, unfinished)
-        with self.progress.steps("fits") as done:
-            for batch in study_batches(study, parts[0] if parts else None, progress=done):
-                parts.append(batch)
-                with replacing(unfinished) as [part]:
-                    write_table(part, whole_table(study, parts))
-        return whole_table(study, parts)
+            return record_scenes(self.out, plan, study.prospects, numbers, done)
 
     def _default_bank(self) -> Path:
         """The default bank in the folder for output, sampled unless it is there already."""
@@ -398,26 +376,3 @@ class Studio:
             else:
                 with self.progress.steps("film") as done:
                     write_picture(part, recording, look, excerpt, done)
-
-
-def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:
-    """The rows that an interrupted run of this very study left behind."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    from learners import InputError as NotOfThisStudy
-    from learners.studying.table import missing_tasks
-
-    try:
-        table = pq.read_table(unfinished)
-        missing_tasks(study, table)
-    except (OSError, pa.ArrowInvalid, NotOfThisStudy):
-        return []
-    return [table]
-
-
-def write_table(path: Path, table: pa.Table) -> None:
-    """Write a table as a Parquet file."""
-    import pyarrow.parquet as pq
-
-    pq.write_table(table, path, compression="zstd")

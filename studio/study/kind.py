@@ -42,18 +42,18 @@ class StudyRecording:
 
     def still(self, look: Look, excerpt: Excerpt) -> Canvas:
         """Draw the still picture of the excerpt, which is counted in pairs."""
-        from studio.study.picture.page import compose_learning_picture
+        from studio.study.picture.page import compose_study_picture
 
         shown = self.between(excerpt)
         size = look.size or self.size
-        return compose_learning_picture(shown.table, shown.teachers, size, look.colours)
+        return compose_study_picture(shown.table, shown.teachers, size, look.colours)
 
     def moving(self, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
         """The film of the excerpt, which is counted in pairs."""
-        from studio.study.picture.film import compose_learning_film
+        from studio.study.picture.film import compose_study_film
 
         shown, rate = self.between(excerpt), look.frames_per_second
-        return compose_learning_film(shown.table, shown.teachers, size, rate, look.colours)
+        return compose_study_film(shown.table, shown.teachers, size, rate, look.colours)
 
     def between(self, excerpt: Excerpt) -> StudyRecording:
         """The recording as if the study had been of the excerpt's numbers of pairs alone.

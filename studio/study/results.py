@@ -1,9 +1,9 @@
-"""The table of a study, sorted by who learned what from whom."""
+"""What came of a study: who learned what from whom. All media take their numbers from here."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -11,23 +11,24 @@ import pyarrow as pa
 from numpy.typing import ArrayLike
 
 from learners import (
-    CptParameters,
+    PARAMETER_COLUMNS,
     Curve,
     InputError,
+    PairedDifference,
     SceneRegrets,
     StudyScene,
     Teacher,
     family_curves,
     learning_curves,
+    paired_differences,
     scene_regrets,
     study_scenes,
     telling_scenes,
 )
 from learners.studying.table import METADATA
 from studio.arrays import FloatArray
-
-CPT_COLUMNS = ("alpha", "eta", "lambda", "gamma", "delta")
-"""Columns of the five parameters, empty for learners of expected utility."""
+from studio.study.fits import Row, parameters_of
+from studio.study.regret import RegretRange
 
 CURVE_COLUMNS = (
     "regret_percent",
@@ -37,52 +38,151 @@ CURVE_COLUMNS = (
     "nll_teacher",
     "theta_cosine",
     "theta_unit",
-    *CPT_COLUMNS,
+    *PARAMETER_COLUMNS,
 )
 """Columns that are followed as means over seeds."""
 
 FAMILY_COLUMNS = ("regret", "regret_percent")
-"""What is followed in each family of scenes, as means over seeds."""
+"""Columns that are followed in each family of scenes, as means over seeds."""
 
 TOLD_SCENES = 6
 """How many scenes are told of, over all teachers; of each teacher at least one."""
 
-Runs = dict[str, list[Any]]
-"""Column to its values, one a seed."""
+
+@dataclass(frozen=True)
+class RegretDifference:
+    """How much more regret one learner has than another after one number of pairs, seed by seed.
+
+    Attributes:
+        runs: how many seeds both learners have.
+        mean: mean difference over seeds, in percentage points.
+        low: lower end of the 95 % interval of that mean.
+        high: upper end.
+        ratio: mean regret of the one over that of the other; not a number over 0.
+    """
+
+    runs: int
+    mean: float
+    low: float
+    high: float
+    ratio: float
 
 
 @dataclass(frozen=True)
-class Results:
+class StudyResults:
     """What came of a study.
 
     Attributes:
-        table: one row a fit, see `learners.STUDY_SCHEMA`.
-        known: the teachers, of whom those without rows are left out.
+        table: one row a fit, see `learners.STUDY_SCHEMA`; the study may be incomplete.
+        teachers: who was learned from; there may be teachers without fits.
     """
 
     table: pa.Table
-    known: Sequence[Teacher]
+    teachers: tuple[Teacher, ...]
+
+    def among(self, teachers: Sequence[Teacher]) -> "StudyResults":
+        """The results of these teachers alone."""
+        names = {teacher.name for teacher in teachers}
+        kept = [name in names for name in self.table["teacher"].to_pylist()]
+        return StudyResults(self.table.filter(pa.array(kept, pa.bool_())), tuple(teachers))
 
     @cached_property
-    def teachers(self) -> tuple[Teacher, ...]:
-        """Who was learned from."""
-        names = set(self.table["teacher"].to_pylist())
-        return tuple(teacher for teacher in self.known if teacher.name in names)
+    def taught(self) -> tuple[Teacher, ...]:
+        """The teachers from whom somebody learned."""
+        names = {row["teacher"] for row in self.fits}
+        return tuple(teacher for teacher in self.teachers if teacher.name in names)
+
+    @cached_property
+    def fits(self) -> list[Row]:
+        """All fits, in the order of the table."""
+        rows: list[Row] = self.table.to_pylist()
+        return rows
 
     @cached_property
     def learners(self) -> tuple[str, ...]:
         """Who learned, in the order of the table."""
-        return tuple(dict.fromkeys(self.table["learner"].to_pylist()))
+        return tuple(dict.fromkeys(row["learner"] for row in self.fits))
 
     @cached_property
     def sizes(self) -> tuple[int, ...]:
         """Numbers of pairs, ascending."""
-        return tuple(sorted(set(self.table["pairs"].to_pylist())))
+        return tuple(sorted({row["pairs"] for row in self.fits}))
 
     @cached_property
     def seeds(self) -> int:
         """How many repetitions there are."""
-        return len(set(self.table["seed"].to_pylist()))
+        return len({row["seed"] for row in self.fits})
+
+    @cached_property
+    def certainty(self) -> float | None:
+        """Mean probability of the answers that teachers gave, 0.5 to 1; None if nobody knows."""
+        known = [row["certainty"] for row in self.fits if row["certainty"] is not None]
+        return float(np.mean(known)) if known else None
+
+    @cached_property
+    def unsettled(self) -> int:
+        """How many fits did not converge."""
+        return sum(row["converged"] is False for row in self.fits)
+
+    @cached_property
+    def shaped(self) -> tuple[str, ...]:
+        """The learners that learn how people weigh and value; `cpt` first."""
+        found = {row["learner"] for row in self.fits if parameters_of(row) is not None}
+        ours = (learner for learner in self.learners if learner in found)
+        return tuple(sorted(ours, key=lambda learner: learner != "cpt"))
+
+    @property
+    def paired(self) -> tuple[str, str] | None:
+        """Whose regret is set against whose, `eu` if it can be; None if there are no two."""
+        if len(self.learners) < 2:
+            return None
+        baseline = "eu" if "eu" in self.learners else self.learners[0]
+        others = [name for name in (*self.shaped, *self.learners) if name != baseline]
+        return others[0], baseline
+
+    def fits_of(self, teacher: Teacher, learner: str, pairs: int) -> list[Row]:
+        """The fits of one learner to one teacher from this number of pairs, by seed."""
+        return self._fits.get((teacher.name, learner, pairs), [])
+
+    def up_to(self, pairs: float) -> "Stage":
+        """What the study had found by this number of pairs."""
+        return Stage(self, pairs)
+
+    @property
+    def stages(self) -> tuple["Stage", ...]:
+        """The study after each number of pairs; a single stage if nobody was fitted yet."""
+        return tuple(self.up_to(pairs) for pairs in self.sizes or (0,))
+
+    # Curves
+
+    def curves(self, column: str) -> list[Curve]:
+        """All curves of a column over the number of pairs; those with gaps are left out."""
+        return self._curves(column)
+
+    def curves_of(self, column: str, teacher: Teacher) -> list[Curve]:
+        """The curves of a column of all who learned from a teacher."""
+        return [curve for curve in self.curves(column) if curve.teacher == teacher.name]
+
+    def curve(self, column: str, teacher: Teacher, learner: str) -> Curve | None:
+        """The curve of a column; None if the learner has nothing in it."""
+        return _found(self.curves(column), teacher, learner)
+
+    @cached_property
+    def regrets(self) -> RegretRange:
+        """Which regrets the curves of `regret_percent` reach."""
+        return RegretRange.around(self.curves("regret_percent"))
+
+    def difference(
+        self, teacher: Teacher, learner: str, baseline: str, pairs: int
+    ) -> RegretDifference | None:
+        """How much more regret a learner has than another; None without seeds of both."""
+        for found in self._differences(learner, baseline):
+            for at in np.flatnonzero((found.pairs == pairs) & (found.teacher == teacher.name)):
+                sides = (found.difference, found.low, found.high, found.ratio)
+                return RegretDifference(int(found.runs[at]), *(float(side[at]) for side in sides))
+        return None
+
+    # Scenes
 
     @cached_property
     def study(self) -> dict[str, Any]:
@@ -110,69 +210,50 @@ class Results:
         count = max(1, TOLD_SCENES // len(self.teachers))
         return telling_scenes(self.table, count)
 
-    def random_regret(self, teacher: Teacher, family: str) -> float:
-        """What a random action costs a teacher in a family of scenes, on average."""
-        return self._random_regrets[teacher.name, family]
-
     def scene_regrets(self, teacher: Teacher, learner: str, pairs: int) -> SceneRegrets | None:
-        """The regret in every scene that was held out; none if there is no such fit."""
+        """The regret in every scene that was held out; None if there is no such fit."""
         return self._scene_regrets.get((teacher.name, learner, pairs))
 
     def family_curve(
         self, column: str, family: str, teacher: Teacher, learner: str
     ) -> Curve | None:
-        """How a column of `FAMILY_COLUMNS` changes in a family with the number of pairs."""
-        return self._family_curves[column].get((family, teacher.name, learner))
+        """The curve of a column of `FAMILY_COLUMNS` in one family of scenes."""
+        return _found(self._family_curves(column).get(family, []), teacher, learner)
 
     def family_percents(self, family: str, teacher: Teacher, learner: str) -> Curve | None:
-        """How regret in a family changes, in % of what a random action costs there, on average."""
+        """The curve of regret in a family, in % of what a random action costs there on average."""
         curve = self.family_curve("regret", family, teacher, learner)
         if curve is None:
             return None
-        mean, std, low, high = (
-            self.percents(teacher, family, side)
-            for side in (curve.mean, curve.std, curve.low, curve.high)
-        )
-        return replace(curve, mean=mean, std=std, low=low, high=high)
+        sides: dict[str, Any] = {
+            name: self.percents(teacher, family, getattr(curve, name))
+            for name in ("mean", "std", "low", "high")
+        }
+        return replace(curve, **sides)
 
     def percents(self, teacher: Teacher, family: str, regrets: ArrayLike) -> FloatArray:
         """Regrets in % of what a random action costs a teacher in a family, on average."""
-        cost = self.random_regret(teacher, family)
+        cost = self._random_regrets[teacher.name, family]
         # where nothing can be lost, the regret is 0 whatever it is divided by
         percents: FloatArray = 100.0 * np.asarray(regrets) / (cost if cost > 0.0 else 1.0)
         return percents
 
-    def runs(self, teacher: Teacher, learner: str, pairs: int) -> Runs:
-        """The fits of one learner to one teacher, by seed; columns are empty if there are none."""
-        return self._runs.get((teacher.name, learner, pairs), {name: [] for name in self._columns})
-
-    def curve(self, column: str, teacher: Teacher, learner: str) -> Curve | None:
-        """How a column changes with the number of pairs; none if the learner has no such thing."""
-        return self._curves[column].get((teacher.name, learner))
+    # What is worked out once
 
     @cached_property
-    def _columns(self) -> list[str]:
-        return list(self.table.column_names)
+    def _fits(self) -> dict[tuple[str, str, int], list[Row]]:
+        found: dict[tuple[str, str, int], list[Row]] = {}
+        for row in sorted(self.fits, key=lambda row: int(row["seed"])):
+            found.setdefault((row["teacher"], row["learner"], row["pairs"]), []).append(row)
+        return found
 
     @cached_property
-    def _runs(self) -> dict[tuple[str, str, int], Runs]:
-        runs: dict[tuple[str, str, int], Runs] = {}
-        for row in sorted(self.table.to_pylist(), key=lambda row: int(row["seed"])):
-            key = (row["teacher"], row["learner"], row["pairs"])
-            columns = runs.setdefault(key, {name: [] for name in self._columns})
-            for name, given in row.items():
-                columns[name].append(given)
-        return runs
+    def _curves(self) -> Callable[[str], list[Curve]]:
+        return cache(lambda column: _finite(learning_curves(self.table, column)))
 
     @cached_property
-    def _curves(self) -> dict[str, dict[tuple[str, str], Curve]]:
-        return {
-            column: {
-                (curve.teacher, curve.learner): curve
-                for curve in learning_curves(self.table, column)
-            }
-            for column in CURVE_COLUMNS
-        }
+    def _differences(self) -> Callable[[str, str], list[PairedDifference]]:
+        return cache(lambda learner, baseline: paired_differences(self.table, learner, baseline))
 
     @cached_property
     def _scene_regrets(self) -> dict[tuple[str, str, int], SceneRegrets]:
@@ -189,31 +270,54 @@ class Results:
         return {key: float(np.mean(given)) for key, given in costs.items()}
 
     @cached_property
-    def _family_curves(self) -> dict[str, dict[tuple[str, str, str], Curve]]:
-        return {
-            column: {
-                (family, curve.teacher, curve.learner): curve
-                for family, curves in family_curves(self.table, column).items()
-                for curve in curves
-            }
-            for column in FAMILY_COLUMNS
-        }
+    def _family_curves(self) -> Callable[[str], dict[str, list[Curve]]]:
+        return cache(lambda column: family_curves(self.table, column))
 
 
-def learnt_parameters(runs: Runs) -> list[CptParameters]:
-    """The parameters of each fit; all ones where there are none, which is expected utility."""
-    return [
-        CptParameters(*(1.0 if number is None else number for number in numbers))
-        for numbers in zip(*(runs[column] for column in CPT_COLUMNS), strict=True)
-    ]
+@dataclass(frozen=True)
+class Stage:
+    """A study as far as a number of pairs: what was found from no more pairs than these.
+
+    Attributes:
+        results: of the whole study.
+        reached: how many pairs were learned from; need not be a size of the study.
+    """
+
+    results: StudyResults
+    reached: float
+
+    @cached_property
+    def sizes(self) -> tuple[int, ...]:
+        """Numbers of pairs so far, ascending."""
+        return tuple(pairs for pairs in self.results.sizes if pairs <= self.reached)
+
+    @cached_property
+    def fits(self) -> list[Row]:
+        """The fits so far, in the order of the table."""
+        return [row for row in self.results.fits if row["pairs"] <= self.reached]
+
+    @property
+    def sharpening(self) -> tuple[int, ...]:
+        """A few numbers of pairs so far, from least to most, to show how something sharpens."""
+        sizes = self.sizes
+        return tuple(sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]})) if sizes else ()
+
+    def so_far(self, curve: Curve) -> Curve:
+        """The part of a curve that is known; without numbers if there is none yet."""
+        known = curve.pairs <= self.reached
+        names = ("pairs", "runs", "mean", "std", "low", "high")
+        return replace(curve, **{name: getattr(curve, name)[known] for name in names})
+
+    def largest(self, teacher: Teacher, learner: str) -> list[Row]:
+        """The fits of one learner to one teacher from the most pairs so far."""
+        return self.results.fits_of(teacher, learner, self.sizes[-1]) if self.sizes else []
 
 
-def true_parameters(teacher: Teacher) -> tuple[float, ...]:
-    """The teacher's parameters in the order of their columns."""
-    people = teacher.parameters
-    return people.alpha, people.eta, people.loss_aversion, people.gamma, people.delta
+def _finite(curves: list[Curve]) -> list[Curve]:
+    """Curves whose means are numbers all along."""
+    return [curve for curve in curves if np.isfinite(curve.mean).all()]
 
 
-def length(theta: Sequence[float]) -> float:
-    """Euclidean length of θ."""
-    return float(np.sqrt(np.sum(np.square(theta))))
+def _found(curves: list[Curve], teacher: Teacher, learner: str) -> Curve | None:
+    ours = (curve for curve in curves if (curve.teacher, curve.learner) == (teacher.name, learner))
+    return next(ours, None)

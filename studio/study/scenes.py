@@ -1,57 +1,79 @@
-"""Scenes of an outcome bank, made again: the same futures, this time to look at."""
-
-from __future__ import annotations
+"""The scenes of a study that tell most, simulated again: the bank's rollouts, now to look at."""
 
 import shlex
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 
+from learners import Prospects, Teacher
+from scenes import InputError, Rollouts
+from scenes.bank import BankPlan, planned_scene, simulate_planned
+from studio.files import replacing
 from studio.scene.again import record_command
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from learners import Prospects
-    from scenes import Rollouts
-    from scenes.bank import BankPlan
+from studio.scene.judgements import judge
+from studio.scene.recording.write import write_recording
+from studio.study.recording.scenes import SceneLink
+from studio.study.results import StudyResults
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""
 
 
-@dataclass(frozen=True)
-class BankScene:
-    """A scene of a bank, simulated again.
+def told_scenes(table: pa.Table, teachers: Sequence[Teacher]) -> list[int]:
+    """Ids of the scenes that tell most about the learners of these teachers, each once."""
+    telling = StudyResults(table, tuple(teachers)).telling.values()
+    return list(dict.fromkeys(number for numbers in telling for number in numbers))
 
-    Attributes:
-        number: its id in the bank.
-        rollouts: the very rollouts that the bank describes.
-        commands: the command lines that record it, in the folder that `FOLDER` lies in; none if
-            the command line cannot say what the robot does.
+
+def record_scenes(
+    folder: Path,
+    plan: BankPlan,
+    prospects: Prospects,
+    numbers: Sequence[int],
+    progress: Callable[[int, int], None],
+) -> dict[int, SceneLink]:
+    """Record scenes of a bank, as far as they can be made again.
+
+    Args:
+        folder: that of the study's own recording; those of the scenes lie in `FOLDER` in it.
+        plan: how the bank says it was sampled.
+        prospects: what the bank holds.
+        numbers: ids of scenes in the bank.
+        progress: told after every recording how many of how many are done.
+
+    Returns:
+        Where the recordings are, by the scene's id.
+
+    Raises:
+        InputError: if a recording cannot be written there.
     """
-
-    number: int
-    rollouts: Rollouts
-    commands: tuple[str, ...]
+    links: dict[int, SceneLink] = {}
+    for number, rollouts in scenes_again(plan, prospects, numbers):
+        name = rollouts.scene.name
+        path = f"{FOLDER}/{name}.rrd"
+        with replacing(folder / path) as [part]:
+            write_recording(part, rollouts, judge(rollouts))
+        links[number] = SceneLink(name, path, record_commands(plan, rollouts))
+        progress(len(links), len(numbers))
+    return links
 
 
 def scenes_again(
     plan: BankPlan, prospects: Prospects, numbers: Iterable[int]
-) -> Iterator[BankScene]:
-    """Simulate scenes of a bank again; those that do not come out as they were are left out.
+) -> Iterator[tuple[int, Rollouts]]:
+    """Simulate scenes of a bank again, and give their ids with the very rollouts of the bank.
 
-    They come out so if the bank is what the plan gives, with the versions that are installed.
+    Scenes that come out otherwise than in the bank are left out: it is not what the plan gives, or
+    was made by other versions than those that are installed.
 
     Args:
         plan: how the bank says it was sampled.
         prospects: what the bank holds.
         numbers: ids of scenes in the bank.
     """
-    from scenes import InputError
-    from scenes.bank import planned_scene, simulate_planned
-
     actions = tuple(action.name for action in plan.actions)
     if (actions, plan.rollouts) != (prospects.actions, prospects.features.shape[2]):
         return
@@ -65,11 +87,15 @@ def scenes_again(
         except InputError:
             continue
         if np.array_equal(rollouts.features, prospects.features[places[number]]):
-            yield BankScene(number, rollouts, record_commands(plan, rollouts))
+            yield number, rollouts
 
 
 def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
-    """The command lines that print the scene and record it."""
+    """The command lines that make the recording of a scene again, in the study's folder.
+
+    They print the scene, then record it. There are none if the command line cannot say what the
+    robot does.
+    """
     record = record_command(rollouts)
     if record is None:
         return ()

@@ -13,7 +13,8 @@ from studio.recorder.drawing import OVERLAP, PAGE_RESOLUTION, Drawing
 from studio.scene.measures import Measure, gap_over_time, measures
 from studio.scene.recording import entities
 from studio.style.palette import LIGHT, Colour, Theme, blend
-from studio.style.words import number
+from studio.style.ticks import round_step
+from studio.style.words import rounded_number
 
 LEAST_RANGES = {
     "clearance": 1.0,
@@ -87,8 +88,8 @@ def draw_counts(
     low, high, margin = edges[0], edges[-1], 0.0
     if measure.is_counted:  # whole numbers, written below the middle of their bins
         low, high, margin = low + 0.5, high - 0.5, bar / 2
-    drawing.text((left + margin, -0.15), tick(low))
-    drawing.text((left + PANEL_WIDTH - margin, -0.15), tick(high))
+    drawing.text((left + margin, -0.15), rounded_number(low, 6))
+    drawing.text((left + PANEL_WIDTH - margin, -0.15), rounded_number(high, 6))
     drawing.text((left - 0.13, PANEL_HEIGHT), str(peak))
 
 
@@ -126,11 +127,6 @@ def draw_frame(drawing: Drawing, left: float, title: str) -> None:
     drawing.text((left + PANEL_WIDTH / 2, PANEL_HEIGHT + 0.14), title)
 
 
-def tick(value: float) -> str:
-    """An edge of a bin in words, without what rounding adds to it."""
-    return number(round(value, 6) + 0.0)  # + 0.0 turns a −0 into a 0
-
-
 def bin_edges(measure: Measure) -> FloatArray:
     """Edges of the bins of a measure, [B+1]: round ones, 0 among them, which hold all values.
 
@@ -138,23 +134,13 @@ def bin_edges(measure: Measure) -> FloatArray:
     """
     values, least = measure.values, LEAST_RANGES[measure.feature]
     low, high = min(0.0, float(values.min())), max(least, float(values.max()))
-    width, aside = bin_width(max(-low, high)), 0.0
+    width, aside = round_step((1.0 - ROUNDING) * max(-low, high), MOST_BINS), 0.0
     if measure.is_counted:
         width, aside = 1.0, 0.5
     first, last = np.floor(low / width + ROUNDING), np.ceil(high / width - ROUNDING)
     edges: FloatArray = width * np.arange(first - aside, last + aside + 1.0)
     edges[[0, -1]] += (-ROUNDING * width, ROUNDING * width)
     return edges
-
-
-def bin_width(reach: float) -> float:
-    """The narrowest of the round widths 1, 2 and 5 times powers of ten that suffices."""
-    power = 10.0 ** np.floor(np.log10(reach / MOST_BINS) + ROUNDING)
-    return next(
-        float(f"{power * round_number:.6g}")
-        for round_number in (1, 2, 5, 10)
-        if reach <= MOST_BINS * power * round_number * (1.0 + ROUNDING)
-    )
 
 
 def distributions_bounds(rollouts: Rollouts) -> Bounds:

@@ -2,8 +2,8 @@
 
 One panel a teacher, one above the other on shared axes. Learners are named beside the ends of their
 curves and differ in marks and dashes as well as in colour, so that the figure can be read in grey
-and by people who see colours differently. What else a reader needs to know is for the caption;
-`paper_caption` suggests one, and it is kept in the file's metadata.
+and by people who see colours differently. What else a reader needs to know is for the caption:
+`study.words` suggests one, and it is kept in the file's metadata.
 
 The type of a PDF is embedded as TrueType (type 42). SVG has no way to embed fonts that all programs
 heed, so letters are outlines there. Files bear no date: with one version of matplotlib, the same
@@ -32,8 +32,7 @@ from studio.study.paper.page import (
     SMALL_TYPE,
     STEP,
     TYPE,
-    Page,
-    Regrets,
+    PaperPage,
     measure,
     points,
     rgb,
@@ -42,10 +41,11 @@ from studio.study.paper.page import (
     with_room,
     write,
 )
-from studio.study.picture.results import PARAMETERS, Results, numbers_of
+from studio.study.results import StudyResults
+from studio.study.words import NO_FITS, panel_titles, paper_caption, parameters_told
 from studio.style.palette import LEARNER_COLOURS, LIGHT, learner_colour
 from studio.style.places import spread_apart
-from studio.style.words import counted, learner_name, number, teacher_name
+from studio.style.words import learner_name, number
 
 _MARK = 3.2  # size of marks, pt
 _BAND = 0.17
@@ -58,8 +58,9 @@ class _Pen:
 
     Attributes:
         mark: matplotlib's name of the mark.
-        dashes: lengths of dashes and gaps, in widths of the line; a whole line without.
-        filled: whether marks are; the others are white inside.
+        dashes: lengths of dashes and of the gaps after them, in widths of the line; empty for a
+            line without gaps.
+        filled: whether marks are filled; the others are white inside.
     """
 
     mark: str
@@ -85,68 +86,35 @@ def write_paper_figure(path: Path, table: pa.Table, teachers: Sequence[Teacher])
     Args:
         path: ends in .pdf or .svg.
         table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who were learned from, in the order of the panels.
+        teachers: who was learned from, in the order of the panels.
     """
-    caption = paper_caption(table, teachers)
+    results = StudyResults(table, tuple(teachers))
     is_pdf = path.suffix.lower() == ".pdf"
     about = {
         "Title": "Learning curves",
         "Creator": "prospect-studio",
-        "Subject" if is_pdf else "Description": caption,
+        "Subject" if is_pdf else "Description": paper_caption(results),
         "CreationDate" if is_pdf else "Date": None,
     }
-    figure = compose_paper_figure(table, teachers)
+    figure = compose_paper_figure(results)
     with settings():
         figure.savefig(path, metadata=about)
 
 
-def paper_caption(table: pa.Table, teachers: Sequence[Teacher]) -> str:
-    """What a reader of the figure needs to know beside it, in one line.
-
-    Arguments as for `write_paper_figure`.
-    """
-    results = Results(table, tuple(teachers), left_out=0)
-    if not results.regret:
-        return "Held-out regret: no fits yet."
-    pairs = counted(results.sizes[-1], "preference pair")
-    if len(results.sizes) > 1:
-        pairs = f"{results.sizes[0]} to {pairs}"
-    *others, last = _titles(results)
-    panels = f"{', '.join(others)} and {last}" if others else last
-    said = [f"Held-out regret, in % of a random action's, after {pairs}: {panels}"]
-    runs = {int(count) for curve in results.regret for count in curve.runs}
-    seeds = counted(max(runs), "seed")
-    if max(runs) > 1:
-        some = f"{min(runs)} to {seeds}" if len(runs) > 1 else seeds
-        said.append(f"Marks: mean over {some}; bands: 95 % bootstrap interval of the mean")
-    else:
-        said.append(f"Marks: {seeds}")
-    said.append("Logarithmic axes")
-    sure = [row["certainty"] for row in results.rows if row["certainty"] is not None]
-    if sure:
-        said.append(f"Answers were {round(100 * float(np.mean(sure)))} % certain on average")
-    unsettled = sum(row["converged"] is False for row in results.rows)
-    if unsettled:
-        said.append(f"{unsettled} of {counted(len(results.rows), 'fit')} did not converge")
-    return " ".join(f"{sentence}." for sentence in said)
-
-
-def compose_paper_figure(table: pa.Table, teachers: Sequence[Teacher]) -> Figure:
-    """Draw the figure of a study; arguments as for `write_paper_figure`."""
-    results = Results(table, tuple(teachers), left_out=0)
-    up = Regrets.around(results.regret)
+def compose_paper_figure(results: StudyResults) -> Figure:
+    """Draw the figure of a study."""
     with settings():
-        page = Page.of(results, up)
+        page = PaperPage.of(results)
         figure = Figure((page.width / POINT, page.height / POINT), dpi=POINT)
-        _write_titles(figure, page, results)
-        for index, teacher in enumerate(teachers):
-            axes = _add_panel(figure, page, index, results, up)
-            curves = [curve for curve in results.regret if curve.teacher == teacher.name]
-            _draw_curves(axes, page, curves, up, results)
-            _name_curves(figure, page, index, curves, up, results)
+        _write_titles(figure, page)
+        for index, teacher in enumerate(results.teachers):
+            axes = _add_panel(figure, page, index)
+            curves = results.curves_of("regret_percent", teacher)
+            _draw_curves(axes, page, curves)
+            _name_curves(figure, page, index, curves)
             if not curves:
                 middle = (page.left + page.across / 2.0, page.bottom(index) + page.panel / 2.0)
-                write(figure, *middle, "no fits yet", SMALL_TYPE, ha="center", va="center")
+                write(figure, *middle, NO_FITS, SMALL_TYPE, ha="center", va="center")
         across = page.left + page.across / 2.0
         write(figure, across, EDGE + 0.25 * TYPE, "Preference pairs", TYPE, ha="center")
         up_page = (page.foot + page.top(0)) / 2.0
@@ -155,23 +123,10 @@ def compose_paper_figure(table: pa.Table, teachers: Sequence[Teacher]) -> Figure
     return figure
 
 
-def _titles(results: Results) -> list[str]:
-    """The panels' titles."""
-    names = [f"{teacher_name(teacher.name)} teacher" for teacher in results.teachers]
-    # what cannot be printed would break lines, and is not allowed in an SVG's metadata
-    names = ["".join(c if c.isprintable() else " " for c in name) for name in names]
-    if len(names) == 1:
-        return names
-    return [f"({chr(ord('a') + index)}) {name}" for index, name in enumerate(names)]
-
-
-def _write_titles(figure: Figure, page: Page, results: Results) -> None:
+def _write_titles(figure: Figure, page: PaperPage) -> None:
     """Write titles above panels, and the teachers' parameters if all of them have room."""
-    titles = _titles(results)
-    remarks = []
-    for teacher in results.teachers:
-        given = zip(PARAMETERS.values(), numbers_of(teacher.parameters), strict=True)
-        remarks.append("  ".join(f"{letter} {number(value, '.3g')}" for letter, value in given))
+    titles = panel_titles(page.results)
+    remarks = [parameters_told(teacher) for teacher in page.results.teachers]
     room = page.width - EDGE - page.left
     fit = all(
         measure(title, TYPE, "bold") + 2.0 * TYPE + measure(remark, SMALL_TYPE) <= room
@@ -185,20 +140,20 @@ def _write_titles(figure: Figure, page: Page, results: Results) -> None:
             write(figure, page.left + room, line, remark, SMALL_TYPE, ha="right")
 
 
-def _add_panel(figure: Figure, page: Page, index: int, results: Results, up: Regrets) -> Axes:
+def _add_panel(figure: Figure, page: PaperPage, index: int) -> Axes:
     """Add a panel with its axes; only the lowest has numbers under it."""
-    wide, high = page.width, page.height
+    wide, high, sizes, up = page.width, page.height, page.results.sizes, page.up
     axes = figure.add_axes(
         (page.left / wide, page.bottom(index) / high, page.across / wide, page.panel / high)
     )
-    first, last = (results.sizes[0], results.sizes[-1]) if results.sizes else (1, 10)
+    first, last = (sizes[0], sizes[-1]) if sizes else (1, 10)
     margin = (last / first) ** 0.04 if last > first else 4.0
     ends = (first / margin, last * margin)
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=up.ends)
-    below = [str(size) for size in results.sizes]
+    below = [str(size) for size in sizes]
     lengths = [measure(text, SMALL_TYPE) for text in below]
-    shown = with_room(_along(page, results.sizes, ends), lengths, 0.5 * SMALL_TYPE)
-    _set_ticks(axes.xaxis, [float(size) for size in results.sizes], below, shown)
+    shown = with_room(_along(page, sizes, ends), lengths, 0.5 * SMALL_TYPE)
+    _set_ticks(axes.xaxis, [float(size) for size in sizes], below, shown)
     marks = up.marks()
     heights = [page.panel * up.share(mark) for mark in marks]
     shown = with_room(heights, [SMALL_TYPE] * len(marks), 0.2 * SMALL_TYPE)
@@ -224,19 +179,17 @@ def _set_ticks(
     axis.set_minor_locator(NullLocator())
 
 
-def _along(page: Page, sizes: Sequence[int], ends: tuple[float, float]) -> list[float]:
+def _along(page: PaperPage, sizes: Sequence[int], ends: tuple[float, float]) -> list[float]:
     """Where numbers of pairs lie in a panel, pt."""
     shares = np.log(np.array(sizes) / ends[0]) / np.log(ends[1] / ends[0])
     return [page.across * float(share) for share in shares]
 
 
-def _draw_curves(
-    axes: Axes, page: Page, curves: Sequence[Curve], up: Regrets, results: Results
-) -> None:
+def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
     """Draw curves with the bands of their intervals; a single interval is a bar."""
     for curve in curves:
-        look = _look(curve.learner, results)
-        low, high = up.along(curve.low), up.along(curve.high)
+        look = _look(curve.learner, page.results)
+        low, high = page.up.along(curve.low), page.up.along(curve.high)
         if len(curve.pairs) == 1:
             axes.vlines(curve.pairs, low, high, color=look["color"], linewidth=0.8)
             continue
@@ -253,23 +206,22 @@ def _draw_curves(
     for curve in curves:
         places = _along(page, curve.pairs.tolist(), axes.get_xlim())
         marked = with_room(places, [_MARK] * len(places), 0.5 * _MARK)
-        look = _look(curve.learner, results)
-        axes.plot(curve.pairs, up.along(curve.mean), markevery=marked, zorder=3, **look)
+        look = _look(curve.learner, page.results)
+        axes.plot(curve.pairs, page.up.along(curve.mean), markevery=marked, zorder=3, **look)
 
 
-def _name_curves(
-    figure: Figure, page: Page, index: int, curves: Sequence[Curve], up: Regrets, results: Results
-) -> None:
+def _name_curves(figure: Figure, page: PaperPage, index: int, curves: Sequence[Curve]) -> None:
     """Write learners' names beside the ends of their curves, each after a piece of its line."""
     low, top = page.bottom(index), page.top(index)
     ends = sorted(
-        (low + page.panel * up.share(float(curve.mean[-1])), curve.learner) for curve in curves
+        (low + page.panel * page.up.share(float(curve.mean[-1])), curve.learner) for curve in curves
     )
     heights = spread_apart([y for y, _ in ends], STEP, low + STEP / 2.0, top - STEP / 2.0)
     start = page.left + page.across + PAD
     end = start + SAMPLE
     for y, (_, learner) in zip(heights, ends, strict=True):
-        line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **_look(learner, results))
+        look = _look(learner, page.results)
+        line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **look)
         line.set(transform=points(figure), markevery=[1])
         figure.add_artist(line)
         room = page.width - EDGE - end - PAD
@@ -277,7 +229,7 @@ def _name_curves(
         write(figure, end + PAD, y, name, SMALL_TYPE, va="center_baseline")
 
 
-def _look(learner: str, results: Results) -> dict[str, Any]:
+def _look(learner: str, results: StudyResults) -> dict[str, Any]:
     """What a learner's line looks like, as matplotlib's properties of lines."""
     known = list(LEARNER_COLOURS)
     order = [*known, *(name for name in results.learners if name not in known)]

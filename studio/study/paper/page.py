@@ -17,9 +17,8 @@ from matplotlib.textpath import text_to_path
 from matplotlib.transforms import Affine2D, Transform
 from numpy.typing import ArrayLike
 
-from learners import Curve
 from studio.arrays import FloatArray
-from studio.study.picture.results import Results
+from studio.study.results import StudyResults
 from studio.style.palette import LIGHT, Colour
 from studio.style.ticks import decades
 from studio.style.words import learner_name, number
@@ -67,40 +66,34 @@ def settings() -> Iterator[None]:
 
 
 @dataclass(frozen=True)
-class Regrets:
+class RegretAxis:
     """The axis of regret, in %: logarithmic, with a place for 0 below if some mean is 0.
 
     Attributes:
         low: the smallest value above 0 that it shows.
-        high: the largest one.
+        high: the largest value that it shows.
         zero: where 0 lies on the axis; the same as `low` if it shows no 0.
-        has_zero: whether it shows 0.
     """
 
     low: float
     high: float
     zero: float
-    has_zero: bool
 
     @classmethod
-    def around(cls, curves: Sequence[Curve]) -> "Regrets":
-        """The axis that holds these curves, and their bands where these keep away from 0."""
-        means, lows, highs = (
-            np.concatenate([np.zeros(0), *(getattr(curve, name) for curve in curves)])
-            for name in ("mean", "low", "high")
-        )
-        least = float(means[means > 0.0].min(initial=np.inf))
-        if not np.isfinite(least):
-            least = 0.1
-        low = max(float(lows[lows > 0.0].min(initial=least)), least / 3.0) / 1.2
-        high = 1.2 * float(highs.max(initial=10.0 * low))
-        has_zero = bool((means <= 0.0).any())
-        return cls(low, high, low * (low / high) ** 0.12 if has_zero else low, has_zero)
+    def around(cls, results: StudyResults) -> "RegretAxis":
+        """The axis that holds all curves, and their bands where these keep away from 0."""
+        regrets = results.regrets
+        lows = np.array([low for curve in results.curves("regret_percent") for low in curve.low])
+        low = max(lows[lows > 0.0].min(initial=regrets.start), regrets.start / 3.0) / 1.2
+        high = 1.2 * max(regrets.most, 10.0 * low)
+        zero = low * (low / high) ** 0.12 if regrets.has_zero else low
+        return cls(low, high, zero)
 
     @property
     def ends(self) -> tuple[float, float]:
         """From where to where the axis reaches."""
-        below = self.zero * (self.low / self.high) ** 0.05 if self.has_zero else self.low
+        has_zero = self.zero < self.low
+        below = self.zero * (self.low / self.high) ** 0.05 if has_zero else self.low
         return below, self.high
 
     def along(self, regrets: ArrayLike) -> FloatArray:
@@ -116,39 +109,50 @@ class Regrets:
 
     def marks(self) -> list[float]:
         """What numbers stand beside the axis."""
-        return [0.0] * self.has_zero + decades(self.low, self.high)
+        marks = decades(self.low, self.high)
+        return [0.0, *marks] if self.zero < self.low else marks
 
 
 @dataclass(frozen=True)
-class Page:
+class PaperPage:
     """A page of panels, one above the other.
 
     Attributes:
-        panels: how many there are, 1 or more.
+        results: what its panels show, one a teacher.
+        up: the axis of regret that panels share.
         left: where panels begin, pt.
         across: width of a panel, pt.
-        panel: height of a panel, pt.
     """
 
-    panels: int
+    results: StudyResults
+    up: RegretAxis
     left: float
     across: float
-    panel: float
 
     width: ClassVar[float] = WIDTH / _INCH * POINT
     foot: ClassVar[float] = EDGE + 1.25 * TYPE + 0.5 * PAD + SMALL_TYPE + PAD
 
     @classmethod
-    def of(cls, results: Results, up: Regrets) -> "Page":
-        """The page with room for the results' panels, and numbers and names beside them."""
-        panels = max(len(results.teachers), 1)
+    def of(cls, results: StudyResults) -> "PaperPage":
+        """The page with room for all panels, and for the numbers and names beside them."""
+        up = RegretAxis.around(results)
         numbers = [measure(number(mark), SMALL_TYPE) for mark in up.marks()]
         left = EDGE + 1.25 * TYPE + PAD + max(numbers, default=0.0) + PAD
         names = [measure(learner_name(name), SMALL_TYPE) for name in results.learners]
         named = min(max(names, default=0.0), _LONGEST_NAME * cls.width)
         right = PAD + SAMPLE + PAD + named + 2.0 * EDGE
-        height = max(_HEIGHTS.get(panels, _LEAST_HEIGHT), STEP * len(names))
-        return cls(panels, left, cls.width - left - right, height)
+        return cls(results, up, left, cls.width - left - right)
+
+    @property
+    def panels(self) -> int:
+        """How many panels there are, 1 or more."""
+        return max(len(self.results.teachers), 1)
+
+    @property
+    def panel(self) -> float:
+        """Height of a panel, pt."""
+        least = _HEIGHTS.get(self.panels, _LEAST_HEIGHT)
+        return max(least, STEP * len(self.results.learners))
 
     @property
     def height(self) -> float:

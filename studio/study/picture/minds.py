@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from learners import Teacher, unit_vector, value, weight
+from learners import CptParameters, Teacher, unit_vector, value, weight
 from studio.arrays import FloatArray
 from studio.painter.axes import (
     Axis,
@@ -23,25 +23,19 @@ from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import dashed_path, dot
 from studio.painter.paths import draw_faint_paths
-from studio.study.picture.results import (
-    PARAMETERS,
-    Results,
-    Row,
-    calibration,
-    feature_names,
-    numbers_of,
-    parameters_of,
-)
+from studio.study.fits import Row, learnt_parameters, parameters_of, pooled_calibration
 from studio.study.picture.scales import Scales
-from studio.style.palette import blend, learner_colour
+from studio.study.results import Stage
+from studio.study.words import feature_names
+from studio.style.palette import Colour, blend, learner_colour
 from studio.style.ticks import ticks
 from studio.style.words import number
 
 _MOST_SEEDS = 60
-"""So many seeds are drawn one by one; more would only be a smear."""
+"""Of more seeds, only the first of this number are drawn; more would only be a smear."""
 
 _FEW_SEEDS = 8
-"""Lines of more seeds than that are translucent, so that they do not fill the plot."""
+"""Lines of more seeds than this are translucent, so that they do not fill the plot."""
 
 _SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
 """How dark curves are, from few pairs to many."""
@@ -52,16 +46,15 @@ _GAP = 26
 """Between plots side by side, in units of the page."""
 
 
-def draw_shapes(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
-) -> None:
+def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
     """Draw how probabilities are weighted and utilities valued, learnt and in truth.
 
     Choices tell v and the length of θ only together. What a learner makes of the teacher's utility
     x is therefore v(x ‖θ‖/‖θ*‖), with θ and v both learnt.
     """
     losses, gains, worth = box.columns((1, 1, 1), 0.7 * _GAP * canvas.unit)
-    truth = teacher.parameters
+    truth, fits = teacher.parameters, _shaded_fits(stage, teacher)
+    colour = learner_colour(stage.results.shaped[0])
     p = np.linspace(0.0, 1.0, 101)
     for at, column, wordings in (
         (losses, "delta", ["Weight of losses", "Losses"]),
@@ -76,13 +69,11 @@ def draw_shapes(
             [(panel.left, panel.bottom), (panel.right, panel.top)], canvas.theme.grid, canvas.hair
         )
         labels_below(canvas, panel, across.at, (0.0, 1.0), "p")
-        curves = [
-            (shade, weight(p, float(row[column]))) for shade, row in _shaded_rows(results, teacher)
-        ]
+        curves = [(shade, weight(p, float(fit[column]))) for shade, fit in fits]
         true = weight(p, getattr(truth, column), weighting=teacher.weighting)
-        _draw_shape(canvas, panel, across, up, p, curves, true, results)
+        _draw_shape(canvas, panel, across, up, p, curves, true, colour)
         if column == "delta":
-            _draw_key(canvas, panel, results)
+            _draw_key(canvas, panel, stage)
     rest = caption(canvas, worth, ["Value of utility x", "Value of x", "Value"])
     panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
     reach = scales.reach
@@ -96,23 +87,20 @@ def draw_shapes(
     labels_below(canvas, panel, across.at, (-reach, 0.0, reach), "")
     x = reach * np.sign(np.linspace(-1, 1, 121)) * np.linspace(-1, 1, 121) ** 2
     length = float(np.linalg.norm(teacher.reward)) or 1.0
-    curves = []
-    for shade, row in _shaded_rows(results, teacher):
-        parameters = parameters_of(row)
-        stretch = float(np.linalg.norm(row["theta"])) / length
-        if parameters is not None:
-            curves.append((shade, value(x * stretch, parameters)))
-    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), results)
+    curves = [
+        (shade, value(x * float(np.linalg.norm(fit["theta"]) / length), learnt_parameters(fit)))
+        for shade, fit in fits
+    ]
+    _draw_shape(canvas, panel, across, up, x, curves, value(x, truth), colour)
 
 
-def _shaded_rows(results: Results, teacher: Teacher) -> list[tuple[float, Row]]:
+def _shaded_fits(stage: Stage, teacher: Teacher) -> list[tuple[float, Row]]:
     """Fits of the learner whose shapes are shown, few pairs first, and how dark to draw them."""
-    sizes = results.sharpening
+    sizes, results = stage.sharpening, stage.results
     return [
-        (shade, row)
+        (shade, fit)
         for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
-        for row in results.fits_of(teacher.name, results.shaped[0], pairs)[:_MOST_SEEDS]
-        if parameters_of(row) is not None
+        for fit in results.fits_of(teacher, results.shaped[0], pairs)[:_MOST_SEEDS]
     ]
 
 
@@ -124,11 +112,10 @@ def _draw_shape(
     x: FloatArray,
     curves: Sequence[tuple[float, FloatArray]],
     truth: FloatArray,
-    results: Results,
+    colour: Colour,
 ) -> None:
     """Draw learnt curves, the darker ones above, and the true one on top."""
     part, unit = canvas.clipped(panel), canvas.unit
-    colour = learner_colour(results.shaped[0])
     for shade in dict.fromkeys(shade for shade, _ in curves):
         lines = [
             np.stack([_straight(across, x), _straight(up, y)], axis=-1)
@@ -146,17 +133,17 @@ def _draw_shape(
     dashed_path(part, true, canvas.theme.ink, 2.4 * unit)
 
 
-def _draw_key(canvas: Canvas, panel: Box, results: Results) -> None:
+def _draw_key(canvas: Canvas, panel: Box, stage: Stage) -> None:
     """Write which shade stands for how many pairs, below the weighting curves, if there is room."""
     unit, size = canvas.unit, canvas.type.small
-    sizes, step = results.sharpening, 1.05 * canvas.type.small
+    sizes, step = stage.sharpening, 1.05 * canvas.type.small
     right, bottom = panel.right - 5 * unit, panel.bottom - 0.7 * size
     widest = max((canvas.measure(str(pairs), size) for pairs in sizes), default=0.0)
     left = right - widest - 20 * unit
     # the free corner is as high as half the panel
     if len(sizes) < 2 or len(sizes) * step > 0.5 * panel.height or left < panel.centre[0]:
         return
-    colour = learner_colour(results.shaped[0])
+    colour = learner_colour(stage.results.shaped[0])
     for index, (pairs, shade) in enumerate(zip(sizes, _SHADES[len(sizes)], strict=True)):
         middle = bottom - (len(sizes) - 1 - index) * step
         stroke = [(left, middle), (left + 15 * unit, middle)]
@@ -172,54 +159,54 @@ def _straight(axis: Axis, values: FloatArray) -> FloatArray:
 
 
 def draw_parameters(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw θ and the parameters that were learnt from the most pairs, a dot a seed."""
-    learnt = {name: results.largest(teacher.name, name) for name in results.learners}
-    halves = box.columns((1.45, 1), _GAP * canvas.unit) if results.shaped else (box,)
+    shaped = stage.results.shaped
+    learnt = {name: stage.largest(teacher, name) for name in stage.results.learners}
+    halves = box.columns((1.45, 1), _GAP * canvas.unit) if shaped else (box,)
     low, high = scales.theta
-    _draw_cosines(canvas, halves[0], learnt, teacher)
-    plot = _RowPlot(
+    truth = unit_vector(teacher.reward)
+    units = {name: [unit_vector(fit["theta"]) for fit in fits] for name, fits in learnt.items()}
+    _draw_cosines(canvas, halves[0], units, truth)
+    rewards = _RowPlot(
         _REWARD,
         feature_names(len(teacher.reward)),
         [mark for mark in ticks(low, high, 4) if low <= mark <= high],
-        0.0,
+        Axis(low, high, 0.0, 1.0),
+        neutral=0.0,
+        truth=truth.tolist(),
+        learnt=units,
     )
-    units = {name: [unit_vector(row["theta"]) for row in rows] for name, rows in learnt.items()}
-    plot.draw(
-        canvas, halves[0], Axis(low, high, 0.0, 1.0), unit_vector(teacher.reward).tolist(), units
-    )
-    if not results.shaped:
+    rewards.draw(canvas, halves[0])
+    if not shaped:
         return
     low, high = scales.parameters
-    plot = _RowPlot(
+    parameters = _RowPlot(
         ["Parameters of prospect theory", "Risk parameters", "Parameters"],
-        list(PARAMETERS.values()),
+        CptParameters.SYMBOLS,
         [mark for mark in (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0) if low <= mark <= high],
-        1.0,
+        LogAxis(low, high, 0.0, 1.0, 0.0),
+        neutral=1.0,
+        truth=teacher.parameters.numbers,
+        learnt={
+            name: [np.array(found.numbers) for found in map(parameters_of, fits) if found]
+            for name, fits in learnt.items()
+            if name in shaped
+        },
     )
-    numbers = {
-        name: [
-            np.array(numbers_of(parameters))
-            for parameters in map(parameters_of, learnt[name])
-            if parameters is not None
-        ]
-        for name in results.learners
-        if name in results.shaped
-    }
-    across = LogAxis(low, high, 0.0, 1.0, 0.0)
-    plot.draw(canvas, halves[1], across, numbers_of(teacher.parameters), numbers)
+    parameters.draw(canvas, halves[1])
 
 
 def _draw_cosines(
-    canvas: Canvas, box: Box, learnt: Mapping[str, Sequence[Row]], teacher: Teacher
+    canvas: Canvas, box: Box, learnt: Mapping[str, Sequence[FloatArray]], truth: FloatArray
 ) -> None:
-    """Write how near the learnt θ points to the true one, beside the plot's name."""
+    """Write the mean cosines of learnt and true θ/‖θ‖ beside the plot's name, if there is room."""
     size, gap = canvas.type.small, 8 * canvas.unit
     texts = [("cos", canvas.theme.faint)]
-    for name, rows in learnt.items():
-        if rows:
-            cosine = number(_mean_cosine(rows, teacher), ".3f")
+    for name, units in learnt.items():
+        if units:
+            cosine = number(float(np.mean([unit @ truth for unit in units])), ".3f")
             texts.append((cosine, canvas.theme.legible(learner_colour(name))))
     widths = [canvas.measure(text, size) for text, _ in texts]
     room = box.width - canvas.measure(_REWARD[0], size, SEMIBOLD) - gap
@@ -237,33 +224,24 @@ class _RowPlot:
 
     Attributes:
         wordings: what the plot is called, the longest first.
-        names: of the numbers.
+        names: what the rows are called.
         marks: values to write under the plot.
+        shares: where values lie, from 0 (left) to 1 (right).
         neutral: the value that means nothing, marked by a line.
+        truth: the true number of each row.
+        learnt: of each learner the numbers of each seed, one a row.
     """
 
     wordings: Sequence[str]
     names: Sequence[str]
     marks: Sequence[float]
+    shares: Axis | LogAxis
     neutral: float
+    truth: Sequence[float]
+    learnt: Mapping[str, Sequence[FloatArray]]
 
-    def draw(
-        self,
-        canvas: Canvas,
-        box: Box,
-        shares: Axis | LogAxis,
-        truth: Sequence[float],
-        learnt: Mapping[str, Sequence[FloatArray]],
-    ) -> None:
-        """Draw what was learnt around the truth.
-
-        Args:
-            canvas: to draw on.
-            box: where, px.
-            shares: where values lie, from 0 (left) to 1 (right).
-            truth: the number of each row.
-            learnt: of each learner the numbers of each seed.
-        """
+    def draw(self, canvas: Canvas, box: Box) -> None:
+        """Draw what was learnt around the truth."""
         unit, size = canvas.unit, canvas.type.small
         rest = caption(canvas, box, self.wordings)
         left = min(gutter(canvas, self.names), 0.4 * rest.width)
@@ -271,10 +249,10 @@ class _RowPlot:
 
         def at(value: float) -> float:
             # a margin keeps dots at the ends whole
-            return panel.left + 6 * unit + shares.at(value) * (panel.width - 12 * unit)
+            return panel.left + 6 * unit + self.shares.at(value) * (panel.width - 12 * unit)
 
         ground(canvas, panel, across=[at(mark) for mark in self.marks])
-        if shares.low < self.neutral < shares.high:
+        if self.shares.low < self.neutral < self.shares.high:
             neutral = round(at(self.neutral))
             canvas.fill(
                 Box(neutral, panel.top, neutral + canvas.hair, panel.bottom),
@@ -283,8 +261,8 @@ class _RowPlot:
         labels_below(canvas, panel, at, self.marks, "")
         rows = panel.rows([1.0] * len(self.names))
         part = canvas.clipped(panel)
-        for index, (name, true, row) in enumerate(zip(self.names, truth, rows, strict=True)):
-            # where rows are lower than type, only so many are named
+        for index, (name, true, row) in enumerate(zip(self.names, self.truth, rows, strict=True)):
+            # where rows are lower than type, only every second, third ... one is named
             if index % math.ceil(1.05 * size / row.height) == 0:
                 text = canvas.fitted(name, left - 6 * unit, size)
                 right = panel.left - 6 * unit
@@ -293,8 +271,8 @@ class _RowPlot:
                 canvas.fill(
                     Box(panel.left, row.top, panel.right, row.top + canvas.hair), canvas.theme.grid
                 )
-            lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(learnt), 1))
-            for (learner, seeds), lane in zip(learnt.items(), lanes, strict=False):
+            lanes = row.inset(0.06 * row.height).rows([1.0] * max(len(self.learnt), 1))
+            for (learner, seeds), lane in zip(self.learnt.items(), lanes, strict=False):
                 found = [at(float(numbers[index])) for numbers in seeds]
                 if not found:
                     continue
@@ -315,7 +293,7 @@ class _RowPlot:
 
 
 def draw_calibration(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw how much more often the teacher prefers than what was predicted."""
     wordings = [
@@ -340,22 +318,17 @@ def draw_calibration(
     zero = np.array([(panel.left, up.at(0.0)), (panel.right, up.at(0.0))])
     dashed_path(canvas, zero, canvas.theme.ink, 1.2 * canvas.unit)
     part = canvas.clipped(panel)
-    for pairs in dict.fromkeys((*results.sizes[:1], *results.sizes[-1:])):
-        for name in results.learners:
-            points = calibration(results.fits_of(teacher.name, name, pairs))
-            if not len(points):
+    for pairs in dict.fromkeys((*stage.sizes[:1], *stage.sizes[-1:])):
+        for name in stage.results.learners:
+            found = pooled_calibration(stage.results.fits_of(teacher, name, pairs))
+            if not len(found.count):
                 continue
             colour = learner_colour(name)
-            line = np.stack([across.along(points[:, 0]), up.along(points[:, 1])], axis=-1)
-            if pairs < results.sizes[-1]:
+            missed = 100.0 * (found.preferred - found.predicted)
+            line = np.stack([across.along(100.0 * found.predicted), up.along(missed)], axis=-1)
+            if pairs < stage.sizes[-1]:
                 part.line(line, blend(colour, canvas.theme.panel, 0.5), 1.2 * canvas.unit)
                 continue
             part.line(line, colour, 2.2 * canvas.unit)
             for x, y in line:
                 dot(part, float(x), float(y), colour, 2.4)
-
-
-def _mean_cosine(rows: Sequence[Row], teacher: Teacher) -> float:
-    """Mean over seeds of the cosine between the learnt and the true θ."""
-    truth = unit_vector(teacher.reward)
-    return float(np.mean([unit_vector(row["theta"]) @ truth for row in rows]))

@@ -17,19 +17,30 @@ from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.minds import draw_calibration, draw_parameters, draw_shapes
 from studio.study.picture.progress import draw_agreement, draw_regret
-from studio.study.picture.results import PARAMETERS, Results, numbers_of
 from studio.study.picture.scales import Scales
+from studio.study.results import Stage, StudyResults
+from studio.study.words import (
+    notes,
+    parameters_told,
+    reached,
+    study_subtitles,
+    study_titles,
+    verdicts,
+)
 from studio.style.palette import LIGHT, Theme, teacher_colour
-from studio.style.words import counted, number, teacher_name
+from studio.style.words import teacher_name
 
 SIZE = (1600, 1000)
 
-_BETWEEN = 14  # rows
+MOST_TEACHERS = 4
+"""Columns of more teachers would be too narrow to read."""
+
+_BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
-_WIDE = 1.2  # a page for one teacher that is so many times as wide as high gets two columns
+_WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
 
 
-def compose_learning_picture(
+def compose_study_picture(
     table: pa.Table,
     teachers: Sequence[Teacher],
     size: tuple[int, int] = SIZE,
@@ -39,7 +50,7 @@ def compose_learning_picture(
 
     Args:
         table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who were learned from; of more than four, the first four are shown.
+        teachers: who was learned from; of more than four, the first four are shown.
         size: width and height, px.
         theme: of the page.
 
@@ -49,26 +60,15 @@ def compose_learning_picture(
     Raises:
         InputError: if the size is not allowed.
     """
-    results = Results.of(table, teachers)
-    page = lay_out(results, size, theme)
-    return draw_page(page, results)
-
-
-# The page
+    page = lay_out_study(StudyResults(table, tuple(teachers)), size, theme)
+    return draw_stage(page, page.results.stages[-1])
 
 
 @dataclass(frozen=True)
-class Column:
-    """Where the things to say of one teacher lie.
+class TeacherColumn:
+    """Where the teacher's name and verdict (`head`) and the plots about one teacher lie.
 
-    Attributes:
-        teacher: who was learned from.
-        head: the teacher and the verdict.
-        regret: the plot of regret.
-        shapes: of weights and values; None if nobody learnt any.
-        parameters: of reward and parameters.
-        calibration: of errors of predictions.
-        agreement: of picks.
+    `shapes`, for weights and values, is None if no learner learnt any.
     """
 
     teacher: Teacher
@@ -81,53 +81,60 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Page:
-    """What stays the same however far the results go.
+class StudyPage:
+    """What stays the same at all stages of a study.
 
     Attributes:
         canvas: with the title of the study.
-        heading: where it lies, and the number of pairs at its right.
+        results: of the teachers that there is room for.
+        heading: where the title lies; the number of pairs is at its right.
         columns: one a teacher.
-        notes: where the notes begin and end.
-        scales: of all plots.
+        notes: where the notes lie.
+        scales: that the plots of all teachers share.
     """
 
     canvas: Canvas
+    results: StudyResults
     heading: Box
-    columns: tuple[Column, ...]
+    columns: tuple[TeacherColumn, ...]
     notes: Box
     scales: Scales
 
 
-def lay_out(results: Results, size: tuple[int, int], theme: Theme) -> Page:
-    """Draw what stays the same however far the results of a study go.
+def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) -> StudyPage:
+    """Draw what stays the same at all stages of a study.
 
     Raises:
         InputError: if the size is not allowed.
     """
+    left_out = len(results.teachers[MOST_TEACHERS:])
+    results = results.among(results.teachers[:MOST_TEACHERS])
     canvas = Canvas(*size, theme)
     kind, unit, page = canvas.type, canvas.unit, canvas.page
-    stages = [results.up_to(pairs) for pairs in results.all_sizes]
-    counts = [canvas.measure(_count(stage), kind.title, SEMIBOLD) for stage in stages]
-    room = page.width - max(counts, default=0.0) - kind.title
-    heading = draw_heading(canvas, page, results.titles(), results.subtitles(), room)
-    lines = max((len(_notes(canvas, page, stage)) for stage in stages), default=0)
+    widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
+    room = page.width - max(widths) - kind.title
+    heading = draw_heading(
+        canvas, page, study_titles(results), study_subtitles(results, left_out), room
+    )
+    lines = max(len(_note_lines(canvas, page, stage)) for stage in results.stages)
     notes_top = page.bottom - lines * _NOTE_STEP * kind.small
-    notes = Box(page.left, notes_top, page.right, page.bottom)
-    body = Box(page.left, heading.bottom + 16 * unit, page.right, notes.top - 8 * unit)
+    notes_box = Box(page.left, notes_top, page.right, page.bottom)
+    body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
     boxes = body.columns([1.0] * max(len(results.teachers), 1), canvas.gap)
     columns = tuple(
         _lay_out_column(canvas, box, results, teacher)
         for teacher, box in zip(results.teachers, boxes, strict=False)
     )
-    return Page(canvas, heading, columns, notes, Scales.around(results))
+    return StudyPage(canvas, results, heading, columns, notes_box, Scales.around(results))
 
 
-def _lay_out_column(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> Column:
+def _lay_out_column(
+    canvas: Canvas, box: Box, results: StudyResults, teacher: Teacher
+) -> TeacherColumn:
     kind, unit, gap = canvas.type, canvas.unit, _BETWEEN * canvas.unit
     # two lines, each of which may end a pixel lower than it is high
     height = 9 * unit + kind.heading + 1
-    height += 2 * unit + kind.small + 1 if results.compared else 0
+    height += 2 * unit + kind.small + 1 if results.paired else 0
     head = Box(box.left, box.top, box.right, box.top + height)
     rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
     minds = 2 if results.shaped else 1
@@ -145,52 +152,40 @@ def _lay_out_column(canvas: Canvas, box: Box, results: Results, teacher: Teacher
         regret, *shapes, parameters, predictions = rest.rows(heights, gap)
     calibration, agreement = predictions.columns((1, 1.25), 20 * unit)
     shapes_box = shapes[0] if shapes else None
-    return Column(teacher, head, regret, shapes_box, parameters, calibration, agreement)
+    return TeacherColumn(teacher, head, regret, shapes_box, parameters, calibration, agreement)
 
 
-def draw_page(page: Page, results: Results) -> Canvas:
-    """Draw the results, as far as they go, on a page that was laid out for them.
+def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
+    """Draw what was found by a stage on a page that was laid out for the study.
 
     Returns:
         A canvas of its own.
     """
     canvas = page.canvas.copy()
-    kind, scales = canvas.type, page.scales
-    canvas.text(
-        (page.heading.right, page.heading.top),
-        _count(results),
-        kind.title,
-        canvas.theme.ink,
-        SEMIBOLD,
-        anchor="right",
-        line="top",
-    )
+    kind, ink, scales = canvas.type, canvas.theme.ink, page.scales
+    corner = (page.heading.right, page.heading.top)
+    canvas.text(corner, reached(stage), kind.title, ink, SEMIBOLD, anchor="right", line="top")
     for column in page.columns:
         teacher = column.teacher
-        _draw_head(canvas, column.head, results, teacher)
+        _draw_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
-            draw_shapes(canvas, column.shapes, results, teacher, scales)
-        draw_parameters(canvas, column.parameters, results, teacher, scales)
-        draw_calibration(canvas, column.calibration, results, teacher, scales)
-        draw_regret(canvas, column.regret, results, teacher, scales)
-        draw_agreement(canvas, column.agreement, results, teacher, scales)
-    for index, line in enumerate(_notes(canvas, page.notes, results)):
+            draw_shapes(canvas, column.shapes, stage, teacher, scales)
+        draw_parameters(canvas, column.parameters, stage, teacher, scales)
+        draw_calibration(canvas, column.calibration, stage, teacher, scales)
+        draw_regret(canvas, column.regret, stage, teacher, scales)
+        draw_agreement(canvas, column.agreement, stage, teacher, scales)
+    for index, line in enumerate(_note_lines(canvas, page.notes, stage)):
         top = page.notes.top + index * _NOTE_STEP * kind.small
         canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
     return canvas
 
 
-def _count(results: Results) -> str:
-    """How many pairs were learned from, for the top of the page."""
-    return counted(results.sizes[-1], "pair") if results.sizes else ""
+def _note_lines(canvas: Canvas, box: Box, stage: Stage) -> list[str]:
+    """What lines and marks mean, broken into lines of the box's width."""
+    return canvas.wrapped(notes(stage), box.width, canvas.type.small)
 
 
-def _notes(canvas: Canvas, box: Box, results: Results) -> list[str]:
-    """What lines and marks mean, in lines."""
-    return canvas.wrapped(results.notes(), box.width, canvas.type.small)
-
-
-def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> None:
+def _draw_head(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher) -> None:
     """Write who was learned from, their parameters, and who learned better."""
     kind, unit = canvas.type, canvas.unit
     colour = canvas.theme.legible(teacher_colour(teacher.name))
@@ -201,13 +196,12 @@ def _draw_head(canvas: Canvas, box: Box, results: Results, teacher: Teacher) -> 
         title = canvas.abbreviated(name, box.width, kind.heading, SEMIBOLD)
     at = (box.left, box.top + 9 * unit)
     written = canvas.text(at, title, kind.heading, colour, SEMIBOLD, line="top")
-    given = zip(PARAMETERS.values(), numbers_of(teacher.parameters), strict=True)
-    said = "  ".join(f"{letter} {number(value, '.3g')}" for letter, value in given)
+    said = parameters_told(teacher)
     if canvas.measure(said, kind.small) <= box.right - written.right - 14 * unit:
         at = (box.right, written.centre[1])
         canvas.text(at, said, kind.small, canvas.theme.faint, anchor="right")
-    verdicts = results.verdicts(teacher.name)
-    if verdicts:
-        verdict = canvas.fitted(verdicts, box.width, kind.small)
+    wordings = verdicts(stage, teacher)
+    if wordings:
+        verdict = canvas.fitted(wordings, box.width, kind.small)
         at = (box.left, written.bottom + 2 * unit)
         canvas.text(at, verdict, kind.small, canvas.theme.ink, line="top")

@@ -1,7 +1,6 @@
 """How learners get better with more pairs: regret, and agreement with the teacher's best action."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,16 +21,15 @@ from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import band, dot
-from studio.study.picture.results import Results
 from studio.study.picture.scales import Scales
-from studio.style.palette import Colour, learner_colour
+from studio.study.results import Stage
+from studio.study.words import NO_FITS
+from studio.style.palette import learner_colour
 from studio.style.ticks import decades, ticks
 from studio.style.words import learner_name, number
 
 
-def draw_regret(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
-) -> None:
+def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
     """Draw how regret fell with the number of pairs so far, both logarithmic."""
     kind = canvas.type
     wordings = [
@@ -44,19 +42,19 @@ def draw_regret(
     low, high = scales.regret
     marks = decades(low, high)
     left = gutter(canvas, [number(mark) for mark in marks])
-    curves = [curve for curve in results.regret if curve.teacher == teacher.name]
     panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
-    strip = 1.5 * kind.small if scales.has_zero else 0.0
+    has_zero = stage.results.regrets.has_zero
+    strip = 1.5 * kind.small if has_zero else 0.0
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
-    if scales.has_zero:
-        marks = [0.0, *marks]
-    drawn = _draw_curves(canvas, panel, results, curves, up, marks, 1.0, _percent)
+    marks = [0.0, *marks] if has_zero else marks
+    curves = stage.results.curves_of("regret_percent", teacher)
+    drawn = _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent)
     if not drawn:
-        canvas.text(panel.centre, "no fits yet", kind.small, canvas.theme.faint, anchor="centre")
+        canvas.text(panel.centre, NO_FITS, kind.small, canvas.theme.faint, anchor="centre")
 
 
 def draw_agreement(
-    canvas: Canvas, box: Box, results: Results, teacher: Teacher, scales: Scales
+    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
 ) -> None:
     """Draw in what share of scenes the teacher's best action was picked so far."""
     wordings = [
@@ -72,14 +70,14 @@ def draw_agreement(
     panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
     # a margin keeps dots at the top whole
     up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
-    curves = [curve for curve in results.agreement if curve.teacher == teacher.name]
-    _draw_curves(canvas, panel, results, curves, up, marks, 100.0, "{:.0f}".format)
+    curves = stage.results.curves_of("agreement", teacher)
+    _draw_curves(canvas, panel, stage, curves, up, marks, 100.0, "{:.0f}".format)
 
 
 def _draw_curves(
     canvas: Canvas,
     panel: Box,
-    results: Results,
+    stage: Stage,
     curves: Sequence[Curve],
     up: Axis | LogAxis,
     marks: Sequence[float],
@@ -88,12 +86,12 @@ def _draw_curves(
 ) -> int:
     """Draw curves over the number of pairs, with bands, and names at their ends.
 
-    They go as far as the results do; their names stand to the right of the farthest end.
+    They go as far as the stage does; their names stand to the right of the farthest end.
 
     Args:
         canvas: to draw on.
         panel: where, px.
-        results: how far the curves go.
+        stage: how far the curves go.
         curves: of the whole study.
         up: the vertical axis.
         marks: values to write beside it.
@@ -104,11 +102,19 @@ def _draw_curves(
         How many curves have begun.
     """
     unit, size = canvas.unit, canvas.type.small
-    wordings = [_wordings(curve, [say(scale * mean) for mean in curve.mean]) for curve in curves]
-    widest = [canvas.measure(said, size, SEMIBOLD) for texts in wordings for said, _ in texts]
+
+    def wordings(curve: Curve, mean: float) -> list[str]:
+        name = learner_name(curve.learner)
+        return [f"{name} {say(scale * mean)}", name]
+
+    def points(curve: Curve) -> FloatArray:
+        return np.stack([across.along(curve.pairs), up.along(scale * curve.mean)], axis=-1)
+
+    longest = [wordings(curve, mean)[0] for curve in curves for mean in curve.mean]
+    widest = [canvas.measure(said, size, SEMIBOLD) for said in longest]
     room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
     pen = 9 * unit
-    sizes = [float(pairs) for pairs in results.all_sizes]
+    sizes = [float(pairs) for pairs in stage.results.sizes]
     first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
     if first == last:
         first = last / 4.0  # a single dot lies beside its name
@@ -126,65 +132,28 @@ def _draw_curves(
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
-    begun = [
-        (_Line.of(curve, reached, across, up, scale), texts[reached - 1])
-        for curve, texts in zip(curves, wordings, strict=True)
-        if (reached := int(np.count_nonzero(curve.pairs <= results.reached)))
-    ]
-    lines = [line for line, _ in begun]
+    begun = [curve for curve in map(stage.so_far, curves) if len(curve.pairs)]
     part = canvas.clipped(plot)
-    for line in lines:
-        if len(line.x) > 1 and line.is_mean:
-            band(canvas, plot, line.x, line.low, line.high, line.colour)
-    for line in lines:
-        part.line(np.stack([line.x, line.y], axis=-1), line.colour, 2.6 * unit)
-    for line in lines:
-        for x, y in zip(line.x, line.y, strict=True):
-            dot(part, float(x), float(y), line.colour, 3.4)
-    left = max((float(line.x[-1]) for line in lines), default=end) + pen
-    labels = [(float(line.y[-1]), texts, line.colour) for line, texts in begun]
-    end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
-    return len(lines)
-
-
-@dataclass(frozen=True)
-class _Line:
-    """A learning curve on the page, px.
-
-    Attributes:
-        colour: of the learner.
-        is_mean: whether it is a mean over several seeds.
-        x: [n], where the numbers of pairs lie.
-        y: [n], where the means lie.
-        low: [n], lower ends of the intervals of the mean.
-        high: [n], upper ends.
-    """
-
-    colour: Colour
-    is_mean: bool
-    x: FloatArray
-    y: FloatArray
-    low: FloatArray
-    high: FloatArray
-
-    @classmethod
-    def of(
-        cls, curve: Curve, count: int, across: LogAxis, up: Axis | LogAxis, scale: float
-    ) -> "_Line":
-        """The first so many means of a curve between these axes, multiplied by the scale."""
-        means, lows, highs = (values[:count] for values in (curve.mean, curve.low, curve.high))
-        return cls(
+    for curve in begun:
+        if len(curve.pairs) > 1 and (curve.runs > 1).any():
+            low, high = up.along(scale * curve.low), up.along(scale * curve.high)
+            band(canvas, plot, across.along(curve.pairs), low, high, learner_colour(curve.learner))
+    for curve in begun:
+        part.line(points(curve), learner_colour(curve.learner), 2.6 * unit)
+    for curve in begun:
+        for x, y in points(curve).tolist():
+            dot(part, x, y, learner_colour(curve.learner), 3.4)
+    left = max((float(points(curve)[-1, 0]) for curve in begun), default=end) + pen
+    labels = [
+        (
+            float(points(curve)[-1, 1]),
+            wordings(curve, curve.mean[-1]),
             learner_colour(curve.learner),
-            bool((curve.runs[:count] > 1).any()),
-            across.along(curve.pairs[:count]),
-            *(up.along(scale * values) for values in (means, lows, highs)),
         )
-
-
-def _wordings(curve: Curve, values: Sequence[str]) -> list[tuple[str, str]]:
-    """What is written where a curve has each of these values, the longer wording first."""
-    name = learner_name(curve.learner)
-    return [(f"{name} {value}", name) for value in values]
+        for curve in begun
+    ]
+    end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
+    return len(begun)
 
 
 def _percent(share: float) -> str:

@@ -1,16 +1,13 @@
 """The ranges that all teachers' panels in a study's picture share."""
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
 from learners import unit_vector, value
-from studio.study.picture.results import (
-    Results,
-    calibration,
-    numbers_of,
-    parameters_of,
-)
+from studio.study.fits import parameters_of, pooled_calibration
+from studio.study.results import StudyResults
 from studio.style.ticks import round_range
 
 
@@ -22,7 +19,6 @@ class Scales:
 
     Attributes:
         regret: in %, above 0.
-        has_zero: whether a mean regret is 0.
         agreement: lowest share shown, in %.
         reach: largest utility of which the value is shown.
         values: of the value functions.
@@ -32,7 +28,6 @@ class Scales:
     """
 
     regret: tuple[float, float]
-    has_zero: bool
     agreement: float
     reach: float
     values: tuple[float, float]
@@ -41,34 +36,26 @@ class Scales:
     parameters: tuple[float, float]
 
     @classmethod
-    def around(cls, results: Results) -> "Scales":
+    def around(cls, results: StudyResults) -> "Scales":
         """Ranges that hold what the whole study found."""
-        means = np.concatenate([curve.mean for curve in results.regret] or [np.array([1.0])])
-        above = means[means > 0.0]
-        low, high = (float(above.min()), float(above.max())) if len(above) else (0.1, 10.0)
-        high = max([high, *(float(curve.high.max()) for curve in results.regret)])
-        regret = (low / 1.5, max(high * 1.2, low * 12.0))
-        shares = [float(min(curve.low.min(), 1.0)) for curve in results.agreement]
+        teachers, low = results.teachers, results.regrets.start
+        regret = (low / 1.5, max(1.2 * (results.regrets.most or 10.0), 12.0 * low))
+        shares = [float(min(curve.low.min(), 1.0)) for curve in results.curves("agreement")]
         lowest = min(100.0 * min(shares, default=0.0), 90.0)
-        lengths = [float(np.linalg.norm(teacher.reward)) for teacher in results.teachers]
+        lengths = [float(np.linalg.norm(teacher.reward)) for teacher in teachers]
         _, reach = round_range(0.0, max(0.75 * max(lengths, default=0.4), 1e-3))
-        ends = np.array([-reach, reach])
-        truths = [value(ends, teacher.parameters) for teacher in results.teachers]
+        truths = [value(np.array([-reach, reach]), teacher.parameters) for teacher in teachers]
         values = (
             min((1.15 * float(truth[0]) for truth in truths), default=-reach),
             max((1.35 * float(truth[1]) for truth in truths), default=reach),
         )
-        units = [unit_vector(teacher.reward) for teacher in results.teachers]
-        learnt = [unit_vector(row["theta"]) for row in results.fits]
-        theta = np.concatenate([*units, *learnt, np.zeros(1)])
-        numbers = [0.5, 2.0]
-        for teacher in results.teachers:
-            numbers += numbers_of(teacher.parameters)
-        for parameters in map(parameters_of, results.fits):
-            numbers += numbers_of(parameters) if parameters is not None else []
+        rewards = [teacher.reward for teacher in teachers] + [fit["theta"] for fit in results.fits]
+        theta = np.concatenate([*map(unit_vector, rewards), np.zeros(1)])
+        people = [teacher.parameters for teacher in teachers]
+        people += [learnt for learnt in map(parameters_of, results.fits) if learnt is not None]
+        numbers = [0.5, 2.0, *itertools.chain(*(each.numbers for each in people))]
         return cls(
             regret,
-            bool((means <= 0.0).any()),
             10.0 * np.floor(lowest / 10.0),
             reach,
             values,
@@ -78,12 +65,9 @@ class Scales:
         )
 
 
-def _largest_error(results: Results) -> float:
+def _largest_error(results: StudyResults) -> float:
     """The largest error of predictions at any number of pairs, in %, rounded up."""
-    tasks = [(row["teacher"], row["learner"], row["pairs"]) for row in results.fits]
-    errors = [
-        abs(float(error))
-        for task in dict.fromkeys(tasks)
-        for _, error in calibration(results.fits_of(*task))
-    ]
+    tasks = itertools.product(results.teachers, results.learners, results.sizes)
+    found = [pooled_calibration(results.fits_of(*task)) for task in tasks]
+    errors = [100.0 * np.abs(each.preferred - each.predicted).max(initial=0.0) for each in found]
     return float(max(5.0, 5.0 * np.ceil(max(errors, default=0.0) / 5.0)))

@@ -8,28 +8,27 @@ from learners import Teacher
 from studio.arrays import Bounds
 from studio.recorder.views import figure_view, opening, page_view
 from studio.study.recording import entities
-from studio.study.recording.calibration import CALIBRATION, calibration_axes
-from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, CurveFigure
-from studio.study.recording.families import FAMILIES, family_figure
-from studio.study.recording.minds import (
-    GAIN_WEIGHTS,
-    LOSS_WEIGHTS,
-    PARAMETERS,
-    VALUES,
-    parameter_bounds,
+from studio.study.recording.calibration import calibration_axes
+from studio.study.recording.curves import (
+    AGREEMENT_CURVES,
+    LIKELIHOOD_CURVES,
+    REGRET_CURVES,
+    CurveFigure,
 )
-from studio.study.results import Results
-from studio.style.words import short, teacher_name
+from studio.study.recording.families import family_figure
+from studio.study.recording.minds import parameter_bounds
+from studio.study.results import StudyResults
+from studio.study.words import short_teacher_name
 
-LENGTH = 12.0
-"""Played, the whole study takes so long, s."""
+PLAYING_TIME = 12.0
+"""How long the whole study takes when it is played, s."""
 
 
-def learning_blueprint(results: Results) -> rrb.Blueprint:
+def study_blueprint(results: StudyResults) -> rrb.Blueprint:
     """The tabs: overview, one a teacher, families, calibration, about."""
     return opening(
         [
-            overview_tab(results),
+            study_overview_tab(results),
             *(teacher_tab(results, teacher) for teacher in results.teachers),
             *([families_tab(results)] if results.scenes else []),
             calibration_tab(results),
@@ -39,18 +38,18 @@ def learning_blueprint(results: Results) -> rrb.Blueprint:
         # the latest is the best that was learned; play begins anew from the first
         play_state="following",
         loop_mode="off",
-        frames_per_second=max(1.0, results.sizes[-1] / LENGTH),
+        frames_per_second=max(1.0, results.sizes[-1] / PLAYING_TIME),
     )
 
 
-def overview_tab(results: Results) -> rrb.Container:
+def study_overview_tab(results: StudyResults) -> rrb.Container:
     """All teachers side by side: regret above, the weights of losses below; the summary beside."""
     return rrb.Horizontal(
         _beside_one_another(
             [
                 rrb.Vertical(
-                    curve_view(results, teacher, REGRET),
-                    mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
+                    curve_view(results, teacher, REGRET_CURVES),
+                    mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
                 )
                 for teacher in results.teachers
             ]
@@ -61,42 +60,47 @@ def overview_tab(results: Results) -> rrb.Container:
     )
 
 
-def teacher_tab(results: Results, teacher: Teacher) -> rrb.Container:
+def teacher_tab(results: StudyResults, teacher: Teacher) -> rrb.Container:
     """One teacher: curves above, the minds below, numbers and parameters beside."""
     return rrb.Horizontal(
         rrb.Vertical(
             rrb.Horizontal(
-                curve_view(results, teacher, REGRET),
-                curve_view(results, teacher, AGREEMENT),
+                curve_view(results, teacher, REGRET_CURVES),
+                curve_view(results, teacher, AGREEMENT_CURVES),
             ),
             rrb.Horizontal(
-                mind_view(teacher, GAIN_WEIGHTS, "w(p) of gains"),
-                mind_view(teacher, LOSS_WEIGHTS, "w(p) of losses"),
-                mind_view(teacher, VALUES, "v over θ·φ/|θ|"),
+                mind_view(teacher, entities.GAIN_WEIGHTS, "w(p) of gains"),
+                mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
+                mind_view(teacher, entities.VALUES, "v over θ·φ/|θ|"),
             ),
         ),
         rrb.Vertical(
             page_view(entities.page(teacher.name), "Numbers"),
-            view(
+            study_figure_view(
                 teacher,
-                PARAMETERS,
+                entities.PARAMETERS,
                 parameter_bounds(results),
                 "θ/|θ| and parameters (dark mark: truth)",
             ),
             row_shares=[18, 19],
         ),
         column_shares=[2, 1],
-        name=_called(teacher),
+        name=short_teacher_name(teacher),
     )
 
 
-def families_tab(results: Results) -> rrb.Container:
+def families_tab(results: StudyResults) -> rrb.Container:
     """All teachers side by side: regret by family and scene; beside, the scenes that tell most."""
     bounds = family_figure(results).bounds
     return rrb.Horizontal(
         _beside_one_another(
             [
-                view(teacher, FAMILIES, bounds, f"{_called(teacher)}: regret by family")
+                study_figure_view(
+                    teacher,
+                    entities.FAMILIES,
+                    bounds,
+                    f"{short_teacher_name(teacher)}: regret by family",
+                )
                 for teacher in results.teachers
             ]
         ),
@@ -106,18 +110,18 @@ def families_tab(results: Results) -> rrb.Container:
     )
 
 
-def calibration_tab(results: Results) -> rrb.Container:
+def calibration_tab(results: StudyResults) -> rrb.Container:
     """Predicted preferences on held-out scenes: calibration above, likelihood below."""
     return _beside_one_another(
         [
             rrb.Vertical(
-                view(
+                study_figure_view(
                     teacher,
-                    CALIBRATION,
+                    entities.CALIBRATION,
                     calibration_axes().bounds,
                     f"{_name(teacher)}: choices over predictions",
                 ),
-                curve_view(results, teacher, LIKELIHOOD),
+                curve_view(results, teacher, LIKELIHOOD_CURVES),
                 row_shares=[6, 5],
             )
             for teacher in results.teachers
@@ -126,18 +130,18 @@ def calibration_tab(results: Results) -> rrb.Container:
     )
 
 
-def curve_view(results: Results, teacher: Teacher, kind: CurveFigure) -> rrb.View:
+def curve_view(results: StudyResults, teacher: Teacher, kind: CurveFigure) -> rrb.View:
     """A learning curve."""
     title = f"{_name(teacher)}: {kind.title}"
-    return view(teacher, kind.name, kind.axes(results).bounds, title)
+    return study_figure_view(teacher, kind.name, kind.axes(results).bounds, title)
 
 
 def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
     """Learnt functions beside the teacher's."""
-    return view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
+    return study_figure_view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
 
 
-def view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
+def study_figure_view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
     """A drawn figure about what was learned from a teacher."""
     return figure_view(entities.figure(teacher.name, name), bounds, title)
 
@@ -152,8 +156,4 @@ def _beside_one_another(
 
 
 def _name(teacher: Teacher) -> str:
-    return f"{_called(teacher)} teacher"
-
-
-def _called(teacher: Teacher) -> str:
-    return short(teacher_name(teacher.name))
+    return f"{short_teacher_name(teacher)} teacher"

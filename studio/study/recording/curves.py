@@ -20,28 +20,30 @@ from studio.recorder.axes import (
 )
 from studio.recorder.drawing import Drawing
 from studio.study.recording import entities
-from studio.study.results import Results
+from studio.study.recording.over_pairs import changing_figure, learner_entries
+from studio.study.regret import RegretRange
+from studio.study.results import StudyResults
+from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 from studio.style.ticks import round_step
-from studio.style.words import learner_name, teacher_name
 
 HEIGHT = 0.95
-"""Of the page of a curve, which is 1 wide."""
+"""Height of the page of a curve, which is 1 wide."""
 
 LEAST_REGRET = 0.01
-"""Smaller regrets, 0 among them, are drawn at this where there is none above, %."""
+"""The scale of regret begins no lower, %; what is smaller is drawn at its lower end."""
 
 LEAST_STEP = 0.01
 """From tick to tick of the share of best actions found."""
 
 MOST_STEPS = 10
-"""So many steps there are at most, so that the words at ticks do not touch."""
+"""There are no more steps than this, so that the words at ticks do not touch."""
 
 STROKES = 240
 """How many strokes fill a band."""
 
 BAND_OPACITY = 0.25
-"""Of bands on the ground, and on one another."""
+"""How opaque bands are, on the ground and on one another."""
 
 
 @dataclass(frozen=True)
@@ -51,10 +53,10 @@ class CurveFigure:
     Attributes:
         name: of the figure, as a part of entity paths.
         column: what is followed.
-        title: of the view that shows it.
-        scale: makes the scale upwards, the same for all teachers, from the means.
+        title: of the view that shows the figure.
+        scale: makes the scale upwards from the curves of all teachers.
         falls: whether curves fall, so that there is room for a key in the upper right.
-        truth: column of what the teacher attains, if that is drawn too.
+        truth: column of what the teacher attains; None if that is not drawn.
     """
 
     name: str
@@ -64,29 +66,22 @@ class CurveFigure:
     falls: bool = True
     truth: str | None = None
 
-    def axes(self, results: Results) -> Axes:
+    def axes(self, results: StudyResults) -> Axes:
         """What the figures of all teachers are drawn on."""
         columns = [self.column, *([self.truth] if self.truth else [])]
-        curves = [
-            curve
-            for column in columns
-            for teacher in results.teachers
-            for learner in results.learners
-            if (curve := results.curve(column, teacher, learner)) is not None
-        ]
+        curves = [curve for column in columns for curve in results.curves(column)]
         return Axes(pairs_scale(results.sizes), self.scale(curves), HEIGHT)
 
 
 def regret_scale(curves: Sequence[Curve]) -> Scale:
-    """Of regrets in %."""
-    means = np.concatenate([curve.mean for curve in curves])
-    highest = max(np.concatenate([curve.high for curve in curves]).max(), 3.0 * LEAST_REGRET)
-    lowest = means[means > 0.0].min(initial=highest)
-    return ratio_scale(max(LEAST_REGRET, float(lowest)), float(highest), unit=" %")
+    """The scale of regrets in %; a regret of 0 lies at its lower end."""
+    regrets = RegretRange.around(curves)
+    highest = max(regrets.most, 3.0 * LEAST_REGRET)
+    return ratio_scale(max(LEAST_REGRET, min(regrets.least, highest)), highest, unit=" %")
 
 
 def agreement_scale(curves: Sequence[Curve]) -> Scale:
-    """Of shares of scenes, up to 1."""
+    """The scale of shares of scenes, up to 1."""
     below = 1.0 - min(curve.low.min() for curve in curves)
     step = round_step(max(below, MOST_STEPS * LEAST_STEP), MOST_STEPS)
     steps = max(1, int(np.ceil(below / step - 1e-9)))
@@ -95,16 +90,18 @@ def agreement_scale(curves: Sequence[Curve]) -> Scale:
 
 
 def likelihood_scale(curves: Sequence[Curve]) -> Scale:
-    """Of negative log-likelihoods in nats."""
+    """The scale of negative log-likelihoods in nats."""
     means = np.concatenate([curve.mean for curve in curves])
     lowest = max(float(means.min()), 1e-3)
     return ratio_scale(lowest, max(float(means.max()), 1.5 * lowest), (1.0, 2.0, 3.0, 5.0))
 
 
-REGRET = CurveFigure("regret", "regret_percent", "regret over pairs", regret_scale)
-AGREEMENT = CurveFigure("agreement", "agreement", "best action found", agreement_scale, falls=False)
-LIKELIHOOD = CurveFigure(
-    "likelihood",
+REGRET_CURVES = CurveFigure(entities.REGRET, "regret_percent", "regret over pairs", regret_scale)
+AGREEMENT_CURVES = CurveFigure(
+    entities.AGREEMENT, "agreement", "best action found", agreement_scale, falls=False
+)
+LIKELIHOOD_CURVES = CurveFigure(
+    entities.LIKELIHOOD,
     "nll",
     "negative log-likelihood, nats a pair, over pairs",
     likelihood_scale,
@@ -113,42 +110,33 @@ LIKELIHOOD = CurveFigure(
 
 
 def log_curve_figure(
-    stream: rr.RecordingStream, results: Results, teacher: Teacher, kind: CurveFigure
+    stream: rr.RecordingStream, results: StudyResults, teacher: Teacher, kind: CurveFigure
 ) -> None:
     """Draw one column: a line for the mean over seeds, a band for its 95 % interval."""
     path, axes = entities.figure(teacher.name, kind.name), kind.axes(results)
-    curves = {
-        learner: curve
-        for learner in results.learners
-        if (curve := results.curve(kind.column, teacher, learner)) is not None
-    }
+    curves = {curve.learner: curve for curve in results.curves_of(kind.column, teacher)}
     drawing = Drawing(lift=LIFT)
     draw_bands(drawing, axes, curves)
     axes.draw(drawing)
     for learner, curve in curves.items():
         draw_curve(drawing, axes, curve, learner)
-    entries: list[tuple[str, Colour | None]] = [
-        (learner_name(learner), learner_colour(learner)) for learner in curves
-    ]
+    entries = learner_entries(curves)
     if kind.truth:
-        best = results.curve(kind.truth, teacher, next(iter(curves)))
-        assert best is not None
+        best = results.curves_of(kind.truth, teacher)[0]
         drawing.dashes(axes.place(best.pairs, best.mean), LIGHT.ink, 2.5)
-        entries.append((f"{teacher_name(teacher.name)} teacher", None))
+        entries.append((teacher_called(teacher), None))
     top = HEIGHT - 0.06 if kind.falls else 0.06 + KEY_STEP * (len(entries) - 1)
     draw_key(drawing, entries, key_left(words for words, _ in entries), top)
     drawing.log(stream, path)
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        cursor = Drawing()
+    for pairs, cursor in changing_figure(stream, results, path):
         across = float(axes.x(pairs))
         cursor.line([(across, 0.0), (across, HEIGHT)], LIGHT.faint, 1.0)
         for learner, curve in curves.items():
-            for spot in axes.place(curve.pairs, curve.mean)[curve.pairs == pairs]:
+            spread = curve.at(pairs)
+            if spread is not None:
+                spot = axes.place(pairs, spread.mean).tolist()
                 cursor.dot(spot, LIGHT.ink, 15.0)
                 cursor.dot(spot, learner_colour(learner), 11.0)
-        cursor.log(stream, entities.moving(path), draw_order=21.0, static=False)
-    stream.reset_time()
 
 
 def draw_bands(drawing: Drawing, axes: Axes, curves: Mapping[str, Curve]) -> None:

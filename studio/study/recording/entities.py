@@ -14,6 +14,11 @@ SCENES = "scenes"
 ABOUT = "about"
 STUDY = "/__properties/study"
 
+REGRET, AGREEMENT, LIKELIHOOD = "regret", "agreement", "likelihood"
+GAIN_WEIGHTS, LOSS_WEIGHTS, VALUES = "weights_of_gains", "weights_of_losses", "values"
+PARAMETERS, CALIBRATION, FAMILIES = "parameters", "calibration", "families"
+"""Names of the figures about a teacher, see `figure`."""
+
 
 def page(teacher: str) -> str:
     """The page that says what was learned from a teacher so far."""

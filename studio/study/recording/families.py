@@ -6,42 +6,43 @@ from typing import Any
 import numpy as np
 import rerun as rr
 
-from learners import SceneRegrets, Teacher
+from learners import SceneRegrets, Spread, Teacher
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import KEY_STEP, LIFT, Scale, draw_key, ratio_scale
 from studio.recorder.drawing import Drawing
 from studio.study.recording import entities
-from studio.study.results import FAMILY_COLUMNS, Results
+from studio.study.recording.over_pairs import changing_figure, each_size, sides
+from studio.study.results import FAMILY_COLUMNS, StudyResults
+from studio.study.words import learner_called
 from studio.style.palette import LIGHT, blend, learner_colour
-from studio.style.words import counted, learner_name, short
+from studio.style.words import counted, short
 
-FAMILIES = "families"
-"""Name of the figure, as a part of entity paths."""
+# All lengths are in units of the page: 1 is the width of the boxes and the scale together.
 
 TALLEST_STRIP, LEAST_STRIP = 0.21, 0.09
-"""Height of the strip of one learner in one family, in units of the page: what looks good, and what
+"""Height of the strip of one learner in one family: what looks good, and what
 the words beside it need."""
 
 ROOM = 2.4
-"""Height that all strips share as long as they need no more, in units of the page."""
+"""Height that all strips share as long as they need no more."""
 
 HEADING = 0.13
-"""Height of the name of a family above its strips, in units of the page."""
+"""Height of the name of a family above its strips."""
 
 NOTHING = 0.24
-"""Width of the boxes on the left that hold the scenes without regret, in units of the page."""
+"""Width of the boxes on the left that hold the scenes without regret."""
 
 SCALE_LEFT = 0.31
-"""Where the scale begins, in units of the page."""
+"""Where the scale begins."""
 
 MEANS = 1.14
-"""Where the means are written, in units of the page."""
+"""Where the means are written."""
 
 LEAST_PERCENT = 0.1
 """The scale begins no lower, and smaller regrets are drawn at this, % of a random action's."""
 
 BESIDE = 0.06
-"""How far from the middle of its ring the number of a scene is written, in units of the page."""
+"""How far from the middle of its ring the number of a scene is written."""
 
 _SPREADING = (0.7548776662466927, 0.5698402909980532)
 """Steps around the unit square that fill it evenly however many are made (Roberts, "The
@@ -52,10 +53,8 @@ Unreasonable Effectiveness of Quasirandom Sequences", 2018)."""
 class FamilyFigure:
     """What the figures of all teachers are drawn on: a strip a family and learner, top to bottom.
 
-    Attributes:
-        families: names.
-        learners: names.
-        scale: of regrets above 0, in % of a random action's, along the page from `SCALE_LEFT` on.
+    The scale, along the page from `SCALE_LEFT` on, is that of regrets above 0, in % of a random
+    action's.
     """
 
     families: tuple[str, ...]
@@ -64,18 +63,18 @@ class FamilyFigure:
 
     @property
     def strip_height(self) -> float:
-        """Of one learner in one family, in units of the page."""
+        """Height of the strip of one learner in one family."""
         share = (ROOM / len(self.families) - HEADING) / len(self.learners)
         return max(LEAST_STRIP, min(TALLEST_STRIP, share))
 
     @property
     def family_height(self) -> float:
-        """Of one family with its name, in units of the page."""
+        """Height of all strips of one family with its name."""
         return HEADING + self.strip_height * len(self.learners)
 
     @property
     def height(self) -> float:
-        """From the lowest strip to the name of the highest family, in units of the page."""
+        """Height from the lowest strip to the name of the highest family."""
         return len(self.families) * self.family_height
 
     def strip(self, family: str, learner: str) -> float:
@@ -98,7 +97,7 @@ class FamilyFigure:
         return -0.06, -0.3, 1.26, self.height + KEY_STEP * len(self.learners) + 0.06
 
 
-def family_figure(results: Results) -> FamilyFigure:
+def family_figure(results: StudyResults) -> FamilyFigure:
     """The figure, large enough for the regrets of all teachers at any time."""
     percents: list[float] = []
     for teacher in results.teachers:
@@ -117,27 +116,26 @@ def family_figure(results: Results) -> FamilyFigure:
     return FamilyFigure(results.families, results.learners, replace(scale, words=tuple(words)))
 
 
-def log_families(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_families(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Draw the regret in every scene, and the mean of each family with its 95 % interval."""
-    path, figure = entities.figure(teacher.name, FAMILIES), family_figure(results)
+    path, figure = entities.figure(teacher.name, entities.FAMILIES), family_figure(results)
     drawing = Drawing(lift=LIFT)
     draw_strips(drawing, results, figure)
     drawing.log(stream, path)
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        moving = Drawing(lift=LIFT)
+    for pairs, changing in changing_figure(stream, results, path):
         for learner in results.learners:
             regrets = results.scene_regrets(teacher, learner, pairs)
             if regrets is not None:
-                draw_scenes(moving, results, figure, teacher, regrets)
+                draw_scenes(changing, results, figure, teacher, regrets)
         for learner in results.learners:
             for family in results.families:
-                draw_mean(moving, results, figure, teacher, family, learner, pairs)
-        moving.log(stream, entities.moving(path), draw_order=21.0, static=False)
-    stream.reset_time()
+                curve = results.family_percents(family, teacher, learner)
+                spread = curve and curve.at(pairs)
+                if spread:
+                    draw_mean(changing, figure, family, learner, spread)
 
 
-def draw_strips(drawing: Drawing, results: Results, figure: FamilyFigure) -> None:
+def draw_strips(drawing: Drawing, results: StudyResults, figure: FamilyFigure) -> None:
     """Draw the ground of every strip, the scale, the names of families, and the key."""
     ticks = figure.scale.ticks
     for family in figure.families:
@@ -159,15 +157,13 @@ def draw_strips(drawing: Drawing, results: Results, figure: FamilyFigure) -> Non
             drawing.text((float(x), -0.08), words)
     drawing.text(((SCALE_LEFT + 1.0) / 2.0, -0.2), "regret, % of a random action's")
     drawing.text((MEANS, figure.heading(figure.families[0])), "mean")
-    entries = [
-        (f"{learner_name(learner)} learner", learner_colour(learner)) for learner in figure.learners
-    ]
+    entries = [(learner_called(learner), learner_colour(learner)) for learner in figure.learners]
     draw_key(drawing, entries, 0.0, figure.height + KEY_STEP * (len(entries) - 0.5))
 
 
 def draw_scenes(
     drawing: Drawing,
-    results: Results,
+    results: StudyResults,
     figure: FamilyFigure,
     teacher: Teacher,
     regrets: SceneRegrets,
@@ -199,30 +195,19 @@ def draw_scenes(
 
 
 def draw_mean(
-    drawing: Drawing,
-    results: Results,
-    figure: FamilyFigure,
-    teacher: Teacher,
-    family: str,
-    learner: str,
-    pairs: int,
+    drawing: Drawing, figure: FamilyFigure, family: str, learner: str, spread: Spread
 ) -> None:
     """Draw the mean regret of a family, its interval as a thick line, and write it beside."""
-    curve = results.family_percents(family, teacher, learner)
-    if curve is None or pairs not in curve.pairs:
-        return
-    at = int(np.flatnonzero(curve.pairs == pairs)[0])
     y, colour = figure.strip(family, learner), learner_colour(learner)
-    left, middle, right = figure.across(
-        np.array([curve.low[at], curve.mean[at], curve.high[at]])
-    ).tolist()
+    ends = np.array([spread.low, spread.mean, spread.high])
+    left, middle, right = figure.across(ends).tolist()
     drawing.line([(left, y), (right, y)], colour, 5.0)
     drawing.dot((middle, y), LIGHT.ink, 15.0)
     drawing.dot((middle, y), colour, 11.0)
-    drawing.text((MEANS, y), f"{curve.mean[at]:.2f} %")
+    drawing.text((MEANS, y), f"{spread.mean:.2f} %")
 
 
-def scene_percents(results: Results, teacher: Teacher, regrets: SceneRegrets) -> FloatArray:
+def scene_percents(results: StudyResults, teacher: Teacher, regrets: SceneRegrets) -> FloatArray:
     """Regret in each scene in % of what a random action costs in its family, on average."""
     return np.array(
         [
@@ -232,21 +217,17 @@ def scene_percents(results: Results, teacher: Teacher, regrets: SceneRegrets) ->
     )
 
 
-def log_family_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_family_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Keep the regret by family: mean, std and interval over seeds."""
-    for learner in results.learners:
-        for pairs in results.sizes:
+    for pairs in each_size(stream, results):
+        for learner in results.learners:
             numbers: dict[str, Any] = {"family": list(results.families)}
             for column in FAMILY_COLUMNS:
-                spreads = []
-                for family in results.families:
-                    curve = results.family_curve(column, family, teacher, learner)
-                    if curve is not None and pairs in curve.pairs:
-                        at = int(np.flatnonzero(curve.pairs == pairs)[0])
-                        sides = (curve.mean[at], curve.std[at], curve.low[at], curve.high[at])
-                        spreads.append(sides)
-                numbers[column] = np.array(spreads).T.ravel()
+                curves = [
+                    results.family_curve(column, family, teacher, learner)
+                    for family in results.families
+                ]
+                spreads = [spread for curve in curves if curve and (spread := curve.at(pairs))]
+                numbers[column] = np.array([sides(each) for each in spreads]).T.ravel()
             if len(numbers["regret"]):
-                stream.set_time(entities.TIMELINE, sequence=pairs)
                 stream.log(entities.families(teacher.name, learner), rr.AnyValues(**numbers))
-    stream.reset_time()

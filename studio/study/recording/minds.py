@@ -4,39 +4,38 @@ Values are compared as functions of u = θ·φ / ‖θ‖, the utility in units 
 ‖θ‖ alone says nothing, since choices tell its product with the value function.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import rerun as rr
 
-from learners import FEATURES, CptParameters, Curve, Teacher, unit_vector, value, weight
+from learners import (
+    FEATURES,
+    PARAMETER_COLUMNS,
+    CptParameters,
+    Spread,
+    Teacher,
+    unit_vector,
+    value,
+    weight,
+)
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear
 from studio.recorder.drawing import Drawing
+from studio.study.fits import Row, learnt_parameters
 from studio.study.recording import entities
-from studio.study.results import (
-    CPT_COLUMNS,
-    Results,
-    learnt_parameters,
-    length,
-    true_parameters,
-)
+from studio.study.recording.over_pairs import changing_figure, learner_entries, sides
+from studio.study.results import StudyResults
+from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 from studio.style.ticks import doublings, round_ticks
-from studio.style.words import learner_name, teacher_name
-
-GAIN_WEIGHTS, LOSS_WEIGHTS, VALUES = "weights_of_gains", "weights_of_losses", "values"
-PARAMETERS = "parameters"
-"""Names of the figures, as parts of entity paths."""
 
 PROBABILITIES: FloatArray = (1.0 - np.cos(np.linspace(0.0, np.pi, 61))) / 2.0
 """Where w(p) is drawn: denser towards 0 and 1, where it is steep."""
 
 UTILITIES: FloatArray = np.sign(np.linspace(-1.0, 1.0, 81)) * np.linspace(-1.0, 1.0, 81) ** 2
 """Where v is drawn, in units of ‖θ‖: denser at 0, where the kink is."""
-
-SYMBOLS = dict(zip(CPT_COLUMNS, "αηλγδ", strict=True))
 
 ROW = 0.095
 """Height of a row in the figure of parameters, in units of the page."""
@@ -55,105 +54,93 @@ class MindFigure:
     Attributes:
         path: its entity.
         axes: what it is drawn on.
-        x: where functions are drawn.
-        truth: the teacher's function there.
-        learnt: by number of pairs and learner, the functions of all seeds, [S, X].
+        x: where functions are drawn, [X].
+        truth: the teacher's function there, [X].
+        learnt: gives the function that a fit learnt there, [X].
     """
 
     path: str
     axes: Axes
     x: FloatArray
     truth: FloatArray
-    learnt: dict[tuple[int, str], FloatArray]
+    learnt: Callable[[Row], FloatArray]
 
 
-def log_minds(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_minds(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Draw w(p) of gains and of losses, v, and the parameters, over the number of pairs."""
-    for mind in (*weight_figures(results, teacher), value_figure(results, teacher)):
-        log_mind(stream, results, teacher, mind)
+    log_mind(stream, results, teacher, weight_figure(teacher, entities.GAIN_WEIGHTS, "gamma"))
+    log_mind(stream, results, teacher, weight_figure(teacher, entities.LOSS_WEIGHTS, "delta"))
+    log_mind(stream, results, teacher, value_figure(teacher))
     log_parameters(stream, results, teacher)
 
 
-def weight_figures(results: Results, teacher: Teacher) -> tuple[MindFigure, MindFigure]:
-    """How much a probability counts, of gains and of losses."""
+def weight_figure(teacher: Teacher, name: str, curvature: str) -> MindFigure:
+    """How much a probability counts.
+
+    Args:
+        teacher: whose weights are the truth.
+        name: of the figure.
+        curvature: the parameter that bends the weights: `gamma` of gains, `delta` of losses.
+    """
+
+    def learnt(fit: Row) -> FloatArray:
+        weights: FloatArray = weight(PROBABILITIES, getattr(learnt_parameters(fit), curvature))
+        return weights
+
     scale = linear((0.0, 0.5, 1.0))
-    gains: dict[tuple[int, str], FloatArray] = {}
-    losses: dict[tuple[int, str], FloatArray] = {}
-    for pairs in results.sizes:
-        for learner in results.learners:
-            people = learnt_parameters(results.runs(teacher, learner, pairs))
-            gains[pairs, learner] = _stacked([weight(PROBABILITIES, each.gamma) for each in people])
-            losses[pairs, learner] = _stacked(
-                [weight(PROBABILITIES, each.delta) for each in people]
-            )
-    true_gains, true_losses = (
-        weight(PROBABILITIES, curvature, weighting=teacher.weighting)
-        for curvature in (teacher.parameters.gamma, teacher.parameters.delta)
-    )
-    paths = [entities.figure(teacher.name, name) for name in (GAIN_WEIGHTS, LOSS_WEIGHTS)]
-    axes = Axes(scale, scale)
-    return (
-        MindFigure(paths[0], axes, PROBABILITIES, true_gains, gains),
-        MindFigure(paths[1], axes, PROBABILITIES, true_losses, losses),
-    )
+    true_curvature = getattr(teacher.parameters, curvature)
+    truth = weight(PROBABILITIES, true_curvature, weighting=teacher.weighting)
+    path = entities.figure(teacher.name, name)
+    return MindFigure(path, Axes(scale, scale), PROBABILITIES, truth, learnt)
 
 
-def value_figure(results: Results, teacher: Teacher) -> MindFigure:
+def value_figure(teacher: Teacher) -> MindFigure:
     """How good a gain feels and how bad a loss."""
+
+    def learnt(fit: Row) -> FloatArray:
+        return values_along(fit["theta"], fit["reference"], learnt_parameters(fit))
+
     truth = values_along(teacher.reward, teacher.reference, teacher.parameters)
-    learnt = {}
-    for pairs in results.sizes:
-        for learner in results.learners:
-            runs = results.runs(teacher, learner, pairs)
-            learnt[pairs, learner] = _stacked(
-                [
-                    values_along(theta, reference, people)
-                    for theta, reference, people in zip(
-                        runs["theta"], runs["reference"], learnt_parameters(runs), strict=True
-                    )
-                ]
-            )
-    low, high = 1.25 * truth.min(), 1.25 * truth.max()
-    axes = Axes(linear((-1.0, -0.5, 0.0, 0.5, 1.0)), linear(round_ticks(low, high)))
-    return MindFigure(entities.figure(teacher.name, VALUES), axes, UTILITIES, truth, learnt)
+    up = linear(round_ticks(1.25 * truth.min(), 1.25 * truth.max()))
+    axes = Axes(linear((-1.0, -0.5, 0.0, 0.5, 1.0)), up)
+    path = entities.figure(teacher.name, entities.VALUES)
+    return MindFigure(path, axes, UTILITIES, truth, learnt)
 
 
 def values_along(theta: Sequence[float], reference: float, people: CptParameters) -> FloatArray:
-    """Values v at utilities in units of ‖θ‖, [X]."""
-    values: FloatArray = value(length(theta) * UTILITIES - reference, people)
+    """Values v at `UTILITIES`, [X]."""
+    length = float(np.sqrt(np.sum(np.square(theta))))
+    values: FloatArray = value(length * UTILITIES - reference, people)
     return values
 
 
 def log_mind(
-    stream: rr.RecordingStream, results: Results, teacher: Teacher, mind: MindFigure
+    stream: rr.RecordingStream, results: StudyResults, teacher: Teacher, mind: MindFigure
 ) -> None:
     """Draw a figure of functions: every seed faintly, their mean boldly, the truth in dashes."""
     drawing = Drawing(lift=LIFT)
     mind.axes.draw(drawing)
-    draw_key(drawing, _key(results, teacher), 0.06, mind.axes.height - 0.06)
+    key = [(teacher_called(teacher), None), *learner_entries(results.learners)]
+    draw_key(drawing, key, 0.06, mind.axes.height - 0.06)
     drawing.log(stream, mind.path)
 
     truth = Drawing()
     truth.dashes(visible(mind.axes, mind.x, mind.truth), LIGHT.ink, 2.5)
     truth.log(stream, entities.truth(mind.path), draw_order=22.0)
 
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        moving = Drawing()
+    for pairs, changing in changing_figure(stream, results, mind.path):
         found = {
-            learner: mind.learnt[pairs, learner]
+            learner: np.stack([mind.learnt(fit) for fit in fits])
             for learner in results.learners
-            if len(mind.learnt[pairs, learner])
+            if (fits := results.fits_of(teacher, learner, pairs))
         }
         for learner, functions in found.items():
             pale = blend(learner_colour(learner), LIGHT.panel, 0.35)
             for function in np.unique(functions, axis=0):
-                moving.line(visible(mind.axes, mind.x, function), pale, 1.2)
+                changing.line(visible(mind.axes, mind.x, function), pale, 1.2)
         for learner, functions in found.items():
             mean = visible(mind.axes, mind.x, functions.mean(axis=0))
-            moving.line(mean, learner_colour(learner), 4.5)
-        moving.log(stream, entities.moving(mind.path), draw_order=21.0, static=False)
-    stream.reset_time()
+            changing.line(mean, learner_colour(learner), 4.5)
 
 
 def visible(axes: Axes, x: FloatArray, y: FloatArray) -> FloatArray:
@@ -169,13 +156,12 @@ def visible(axes: Axes, x: FloatArray, y: FloatArray) -> FloatArray:
     return axes.place(np.interp(ends, y[part], x[part]), ends)
 
 
-def log_parameters(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_parameters(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Draw θ/‖θ‖ and the five parameters: a row each, with intervals, beside the truth."""
-    path = entities.figure(teacher.name, PARAMETERS)
+    path = entities.figure(teacher.name, entities.PARAMETERS)
     direction, parameters = parameter_scales(results)
-    rows = [(feature, direction) for feature in FEATURES]
-    rows += [(SYMBOLS[column], parameters) for column in CPT_COLUMNS]
-    heights = row_heights()
+    names, heights = (*FEATURES, *CptParameters.SYMBOLS), row_heights()
+    scales = [direction] * len(FEATURES) + [parameters] * len(CptParameters.SYMBOLS)
     drawing = Drawing(lift=LIFT)
     for scale, block in ((direction, heights[:5]), (parameters, heights[5:])):
         top, foot = block[0] + ROW / 2, block[-1] - ROW / 2
@@ -184,44 +170,41 @@ def log_parameters(stream: rr.RecordingStream, results: Results, teacher: Teache
             colour = LIGHT.faint if words in ("0", "1") else LIGHT.grid
             drawing.line([(across, foot), (across, top)], colour, 1.0)
             drawing.text((across, foot - 0.05), words)
-    for (words, _), y in zip(rows, heights, strict=True):
+    for words, y in zip(names, heights, strict=True):
         drawing.text((-0.2, y), words)
-    for place, learner in enumerate(results.learners):
+    for place, entry in enumerate(learner_entries(results.learners)):
         row, column = divmod(place, KEY_COLUMNS)
-        entry = (learner_name(learner), learner_colour(learner))
         draw_key(drawing, [entry], 0.55 * column, heights[0] + ROW * (row + 1))
     drawing.log(stream, path)
 
     truth = Drawing()
-    numbers = [*unit_vector(teacher.reward), *true_parameters(teacher)]
-    for (_, scale), y, number in zip(rows, heights, numbers, strict=True):
+    numbers = [*unit_vector(teacher.reward), *teacher.parameters.numbers]
+    for scale, y, number in zip(scales, heights, numbers, strict=True):
         across = float(scale(number))
         truth.line([(across, y - 0.4 * ROW), (across, y + 0.4 * ROW)], LIGHT.ink, 2.5)
     truth.log(stream, entities.truth(path), draw_order=22.0)
 
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        moving = Drawing()
+    for pairs, changing in changing_figure(stream, results, path):
         for place, learner in enumerate(results.learners):
             aside = 0.6 * ROW * ((place + 0.5) / len(results.learners) - 0.5)
-            curves = [results.curve(column, teacher, learner) for column in CPT_COLUMNS]
-            spreads = [*_spreads_of_theta(results, teacher, learner, pairs)]
-            spreads += [_spread(curve, pairs) for curve in curves]
-            for (_, scale), y, spread in zip(rows, heights, spreads, strict=True):
+            spreads = spreads_of_numbers(results, teacher, learner, pairs)
+            for scale, y, spread in zip(scales, heights, spreads, strict=True):
                 if spread is not None:
-                    draw_spread(moving, scale, y - aside, spread, learner_colour(learner))
-        moving.log(stream, entities.moving(path), draw_order=21.0, static=False)
-    stream.reset_time()
+                    draw_spread(changing, scale, y - aside, spread, learner_colour(learner))
 
 
-@dataclass(frozen=True)
-class Spread:
-    """A mean over seeds, its 95 % interval, and the standard deviation."""
+def spreads_of_numbers(
+    results: StudyResults, teacher: Teacher, learner: str, pairs: int
+) -> list[Spread | None]:
+    """What the seeds say of each number of θ/‖θ‖, then of each parameter; None where nothing."""
 
-    mean: float
-    std: float
-    low: float
-    high: float
+    def spread(column: str) -> Spread | None:
+        curve = results.curve(column, teacher, learner)
+        return curve.at(pairs) if curve else None
+
+    theta = spread("theta_unit")
+    direction = [theta and _number_of(theta, place) for place in range(len(FEATURES))]
+    return [*direction, *map(spread, PARAMETER_COLUMNS)]
 
 
 def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour: Colour) -> None:
@@ -235,9 +218,9 @@ def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour
     drawing.dot((float(scale(spread.mean)), y), colour, 10.0)
 
 
-def parameter_scales(results: Results) -> tuple[Scale, Scale]:
+def parameter_scales(results: StudyResults) -> tuple[Scale, Scale]:
     """The scales of θ/‖θ‖ and of the parameters, the same for all teachers."""
-    truths = [number for teacher in results.teachers for number in true_parameters(teacher)]
+    truths = [number for teacher in results.teachers for number in teacher.parameters.numbers]
     ticks = doublings(min(LEAST_PARAMETER, *truths), max(LARGEST_PARAMETER, 2.0 * max(truths)))
     parameters = Scale(tuple(ticks), tuple(f"{tick:.3g}" for tick in ticks), True)
     return linear((-1.0, -0.5, 0.0, 0.5, 1.0)), parameters
@@ -249,31 +232,12 @@ def row_heights() -> list[float]:
     return [*(below[0] + ROW * place + 0.14 for place in (5, 4, 3, 2, 1)), *below]
 
 
-def parameter_bounds(results: Results) -> Bounds:
+def parameter_bounds(results: StudyResults) -> Bounds:
     """What a view of the figure of parameters must show."""
     rows_of_key = -(-len(results.learners) // KEY_COLUMNS)
     return -0.36, -0.16, 1.06, row_heights()[0] + ROW * rows_of_key + 0.06
 
 
-def _spread(curve: Curve | None, pairs: int, place: int | None = None) -> Spread | None:
-    if curve is None or pairs not in curve.pairs:
-        return None
-    at = int(np.flatnonzero(curve.pairs == pairs)[0])
-    sides = [curve.mean[at], curve.std[at], curve.low[at], curve.high[at]]
-    return Spread(*(float(side if place is None else side[place]) for side in sides))
-
-
-def _spreads_of_theta(
-    results: Results, teacher: Teacher, learner: str, pairs: int
-) -> list[Spread | None]:
-    curve = results.curve("theta_unit", teacher, learner)
-    return [_spread(curve, pairs, place) for place in range(len(FEATURES))]
-
-
-def _key(results: Results, teacher: Teacher) -> list[tuple[str, Colour | None]]:
-    learnt = [(learner_name(learner), learner_colour(learner)) for learner in results.learners]
-    return [(f"{teacher_name(teacher.name)} teacher", None), *learnt]
-
-
-def _stacked(functions: list[FloatArray]) -> FloatArray:
-    return np.stack(functions) if functions else np.empty((0, 0))
+def _number_of(spread: Spread, place: int) -> Spread:
+    """The spread of one number of a list."""
+    return Spread(spread.runs, *(side[place] for side in sides(spread)))

@@ -3,29 +3,51 @@
 import json
 import shlex
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from learners import BETA, FEATURES, TEACHERS, Curve, Teacher, paired_differences, unit_vector
-from studio.study.recording import entities
-from studio.study.recording.calibration import CALIBRATION
-from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET
-from studio.study.recording.families import FAMILIES
-from studio.study.recording.minds import (
-    GAIN_WEIGHTS,
-    LOSS_WEIGHTS,
-    PARAMETERS,
-    SYMBOLS,
-    VALUES,
+from learners import (
+    BETA,
+    FEATURES,
+    PARAMETER_COLUMNS,
+    TEACHERS,
+    CptParameters,
+    Teacher,
+    unit_vector,
 )
-from studio.study.results import CPT_COLUMNS, Results, true_parameters
+from studio.recorder.markdown import link, table
+from studio.study.recording import entities
+from studio.study.results import StudyResults
+from studio.study.words import learner_called, lesson, teacher_called
 from studio.style.words import counted, learner_name, number, teacher_name
 
 
-def summary_page(results: Results) -> str:
+@dataclass(frozen=True)
+class _Measure:
+    """How pages write a column of the study's table.
+
+    Attributes:
+        column: its name.
+        form: of its numbers, as Python formats them.
+        factor: what its numbers are multiplied by.
+    """
+
+    column: str
+    form: str
+    factor: float = 1.0
+
+
+_REGRET = _Measure("regret_percent", ".2f")
+_AGREEMENT = _Measure("agreement", ".0f", 100.0)
+_COSINE = _Measure("theta_cosine", ".3f")
+_LOSS, _LEAST_LOSS = _Measure("nll", ".3f"), _Measure("nll_teacher", ".3f")
+
+
+def study_summary_page(results: StudyResults) -> str:
     """What to look at first: how far every learner gets, and every regret in a table."""
     last = results.sizes[-1]
+    lessons = [(teacher, lesson(results, teacher)) for teacher in results.teachers]
     return "\n".join(
         [
             "# What was learned",
@@ -39,111 +61,72 @@ def summary_page(results: Results) -> str:
             "",
             f"## After {counted(last, 'pair')}",
             "",
-            "| teacher | learner | regret, % | 95 % of the mean | best action | cos θ |",
-            "|:--|:--|--:|--:|--:|--:|",
-            *(
-                row
-                for teacher in results.teachers
-                for learner in results.learners
-                if (row := _final_row(results, teacher, learner, last))
+            *table(
+                ["teacher", "learner", "regret, %", "95 % of the mean", "best action", "cos θ"],
+                "llrrrr",
+                _final_rows(results),
             ),
             "",
-            *_lessons(results, last),
+            *(f"* **{teacher_called(teacher)}**: {said}" for teacher, said in lessons if said),
             "",
             *regret_tables(results),
         ]
     )
 
 
-def teacher_page(results: Results, teacher: Teacher, pairs: int) -> str:
+def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
     """What was learned from one teacher so far."""
-    learners = [le for le in results.learners if results.runs(teacher, le, pairs)["seed"]]
-    names = " | ".join(learner_name(learner) for learner in learners)
-    lines = [
-        f"# {teacher_name(teacher.name)} after {counted(pairs, 'pair')}",
-        "",
-        f"| mean ± std, {counted(results.seeds, 'seed')} | truth | {names} |",
-        "|:--|--:|" + "--:|" * len(learners),
+    learners = [le for le in results.learners if results.fits_of(teacher, le, pairs)]
+
+    def cells(measure: _Measure, learners: list[str] = learners) -> list[str]:
+        return [_cell(results, teacher, learner, measure, pairs) for learner in learners]
+
+    parameters = zip(
+        CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True
+    )
+    rows = [
+        ["regret, %", "0", *cells(_REGRET)],
+        ["best action found, %", "100", *cells(_AGREEMENT)],
+        ["cosine of θ", "1", *cells(_COSINE)],
+        ["log-loss, nats a pair", "".join(cells(_LEAST_LOSS, learners[:1])), *cells(_LOSS)],
+        *(
+            [symbol, number(truth), *cells(_Measure(column, ".2f"))]
+            for symbol, column, truth in parameters
+        ),
     ]
-    measures = [
-        ("regret, %", "0", "regret_percent", 1.0, ".2f"),
-        ("best action found, %", "100", "agreement", 100.0, ".0f"),
-        ("cosine of θ", "1", "theta_cosine", 1.0, ".3f"),
-    ]
-    for words, truth, column, factor, form in measures:
-        cells = [_cell(results, teacher, le, column, pairs, factor, form) for le in learners]
-        lines.append(f"| {words} | {truth} | {' | '.join(cells)} |")
-    best = [_cell(results, teacher, le, "nll_teacher", pairs, 1.0, ".3f") for le in learners[:1]]
-    cells = [_cell(results, teacher, le, "nll", pairs, 1.0, ".3f") for le in learners]
-    lines.append(f"| log-loss, nats a pair | {''.join(best)} | {' | '.join(cells)} |")
-    for column, truth_number in zip(CPT_COLUMNS, true_parameters(teacher), strict=True):
-        cells = [_cell(results, teacher, le, column, pairs, 1.0, ".2f") for le in learners]
-        lines.append(f"| {SYMBOLS[column]} | {number(truth_number)} | {' | '.join(cells)} |")
-    lines += [
-        "",
-        "Regret is in % of a random action's. Curves: means over seeds, over the pairs learned "
-        "from; bands: 95 % intervals of the means. Thin lines: single seeds; dashed or dark: the "
-        "teacher. Parameters: thick bars are 95 % intervals, thin ones ± std.",
-    ]
-    return "\n".join(lines)
+    heads = [f"mean ± std, {counted(results.seeds, 'seed')}", "truth"]
+    return "\n".join(
+        [
+            f"# {teacher_name(teacher.name)} after {counted(pairs, 'pair')}",
+            "",
+            *table([*heads, *map(learner_name, learners)], "lr" + "r" * len(learners), rows),
+            "",
+            "Regret is in % of a random action's. Curves: means over seeds, over the pairs learned "
+            "from; bands: 95 % intervals of the means. Thin lines: single seeds; dashed or dark: "
+            "the teacher. Parameters: thick bars are 95 % intervals, thin ones ± std.",
+        ]
+    )
 
 
-def regret_tables(results: Results) -> list[str]:
+def regret_tables(results: StudyResults) -> list[str]:
     """Mean ± standard deviation of every regret, a table a teacher."""
+    learners = results.learners
     lines = []
     for teacher in results.teachers:
-        names = " | ".join(f"{learner_name(learner)} learner" for learner in results.learners)
-        lines += [
-            f"## Regret, {teacher_name(teacher.name)} teacher",
-            "",
-            f"| pairs | {names} |",
-            "|--:|" + "--:|" * len(results.learners),
+        rows = [
+            [str(pairs), *(_cell(results, teacher, le, _REGRET, pairs) for le in learners)]
+            for pairs in results.sizes
         ]
-        for pairs in results.sizes:
-            cells = [
-                _cell(results, teacher, learner, "regret_percent", pairs, 1.0, ".2f")
-                for learner in results.learners
-            ]
-            lines.append(f"| {pairs} | {' | '.join(cells)} |")
-        lines.append("")
-    lines.append(f"In %: mean ± standard deviation over {counted(results.seeds, 'seed')}.")
-    return lines
+        heads = ["pairs", *map(learner_called, learners)]
+        title = f"## Regret, {teacher_called(teacher)}"
+        lines += [title, "", *table(heads, "r" * len(heads), rows), ""]
+    return [*lines, f"In %: mean ± standard deviation over {counted(results.seeds, 'seed')}."]
 
 
-def about_page(
-    results: Results, settings: Mapping[str, object], versions: Mapping[str, str]
+def about_study_page(
+    results: StudyResults, settings: Mapping[str, object], versions: Mapping[str, str]
 ) -> str:
     """Everything there is to know about a study."""
-    teachers, study = results.teachers, results.study
-    first = teachers[0]
-    minds = [
-        f"| {teacher_name(teacher.name)} | "
-        + " | ".join(number(given) for given in true_parameters(teacher))
-        + f" | {number(teacher.beta)} | {number(teacher.reference)} | {teacher.weighting} |"
-        for teacher in teachers
-    ]
-    rewards = [
-        f"| {feature} | "
-        + " | ".join(
-            f"{number(teacher.reward[place])} ({number(unit_vector(teacher.reward)[place], '.2f')})"
-            for teacher in teachers
-        )
-        + " |"
-        for place, feature in enumerate(FEATURES)
-    ]
-    columns = results.table.column_names
-    unsettled = results.table["converged"].to_pylist().count(False)
-    repeated = results.table["repeated"].to_pylist() if "repeated" in columns else [0]
-    further: dict[str, object] = {
-        **{
-            f"learner: {learner_name(name)}": _flat(told)
-            for name, told in study.get("learners", {}).items()
-            if name in results.learners
-        },
-        **{name: study[name] for name in ("held_out", "bank") if name in study},
-        **settings,
-        **{f"version: {name}": given for name, given in versions.items()},
-    }
     return "\n".join(
         [
             "# How well learners recover what teachers want",
@@ -154,26 +137,7 @@ def about_page(
             "",
             "## What one sees",
             "",
-            f"* [Regret]({_target(first, REGRET.name)}): what the teacher loses by the learner's "
-            "picks, in % of what picking at random would cost. The line is the mean over seeds, "
-            "the band the 95 % bootstrap interval of that mean. What leaves the figure is drawn at "
-            "its edge. The upright line marks the number of pairs that the other figures show.",
-            f"* [Best action found]({_target(first, AGREEMENT.name)}): in how many of the scenes "
-            "the learner picks what the teacher would.",
-            f"* [w(p) of gains]({_target(first, GAIN_WEIGHTS)}) and [of losses]"
-            f"({_target(first, LOSS_WEIGHTS)}): how much a probability counts. Faint lines are "
-            "the seeds, the bold one is their mean, the dashed one the teacher. An EU learner "
-            "counts every probability as it is.",
-            f"* [v(u)]({_target(first, VALUES)}): how good a utility feels, over u = θ·φ/|θ|: "
-            "choices tell the length of θ only together with the value function.",
-            f"* [Parameters]({_target(first, PARAMETERS)}): the dot is the mean, the thick line "
-            "its 95 % interval, the thin one ± one standard deviation, the dark mark the truth. "
-            "Loss aversion, curvature and the length of θ trade off against one another, so "
-            "that single parameters stay wide where the choices are predicted well.",
-            *_families_explained(results, first),
-            f"* [Calibration]({_target(first, CALIBRATION)}): how probable the teacher's choices "
-            "are where the learner predicts so much; a dot's area is the share of predictions. "
-            f"Below, the [likelihood]({_target(first, LIKELIHOOD.name)}) of held-out choices.",
+            *_what_one_sees(results),
             "",
             "Drag the time, or press space to play and stop; double-click a view to set it back.",
             "",
@@ -181,48 +145,20 @@ def about_page(
             "",
             "## Teachers",
             "",
-            "An outcome with features φ has utility x = θ·φ − r. A teacher values it at x^α as a "
-            "gain and −λ(−x)^η as a loss, counts probabilities of gains by w with γ, of losses "
-            "with δ, and prefers A to B with probability σ(β(V(A) − V(B))). `prelec` is "
-            "w(p) = exp(−(−ln p)^γ). All ones is expected utility (EU).",
-            "",
-            "| teacher | α | η | λ | γ | δ | β | r | w |",
-            "|:--|--:|--:|--:|--:|--:|--:|--:|:--|",
-            *minds,
-            "",
-            "| worth θ (scaled to length 1) | "
-            + " | ".join(teacher_name(teacher.name) for teacher in teachers)
-            + " |",
-            "|:--|" + "--:|" * len(teachers),
-            *rewards,
-            "",
-            "| teacher | " + " | ".join(f"{pairs} pairs" for pairs in results.sizes) + " |",
-            "|:--|" + "--:|" * len(results.sizes),
-            *(_certainty_row(results, teacher) for teacher in teachers),
-            "",
-            "Certainty of the answers: the mean probability of what was answered, 0.5 to 1. "
-            "Answers that are all certain teach little.",
+            *_about_teachers(results),
             "",
             "## Make it again",
             "",
             "```sh",
-            command(results, settings),
+            study_command(results, settings),
             "```",
             "",
-            "| setting | value |",
-            "|:--|:--|",
-            f"| teachers | {', '.join(teacher.name for teacher in teachers)} |",
-            f"| learners | {', '.join(results.learners)} |",
-            f"| pairs | {', '.join(str(pairs) for pairs in results.sizes)} |",
-            f"| seeds | {results.seeds} |",
-            f"| fits | {results.table.num_rows}, of which {unsettled} did not converge |",
-            f"| pairs asked more than once | at most {max(repeated)} of a fit |",
-            *(f"| {name} | {given} |" for name, given in further.items()),
+            *table(["setting", "value"], "ll", _setting_rows(results, settings, versions)),
         ]
     )
 
 
-def command(results: Results, settings: Mapping[str, object]) -> str:
+def study_command(results: StudyResults, settings: Mapping[str, object]) -> str:
     """The command that makes the study again."""
     if "command" in settings:
         return str(settings["command"])
@@ -232,137 +168,168 @@ def command(results: Results, settings: Mapping[str, object]) -> str:
         if standard is not None and replace(standard, beta=teacher.beta) == teacher:
             known.append(teacher.name)
         else:
-            numbers = ",".join(f"{given:g}" for given in true_parameters(teacher))
-            own.append(f"{teacher.name}={numbers}")
+            numbers = ",".join(f"{given:g}" for given in teacher.parameters.numbers)
+            own += ["--profile", f"{teacher.name}={numbers}"]
     words = ["studio", "learn"]
     if "outcomes" in settings:
         words += ["--outcomes", str(settings["outcomes"])]
-    words += ["--teachers", ",".join(known)]
-    for profile in own:
-        words += ["--profile", profile]
+    words += ["--teachers", ",".join(known), *own]
     betas = {teacher.beta for teacher in results.teachers}
     if betas != {BETA}:
         words += ["--beta", f"{max(betas):g}"]
     words += ["--learners", ",".join(results.learners)]
-    words += ["--pairs", ",".join(str(pairs) for pairs in results.sizes)]
-    words += ["--seeds", str(results.seeds)]
+    words += ["--pairs", ",".join(map(str, results.sizes)), "--seeds", str(results.seeds)]
     return shlex.join(words)
 
 
-def _families_explained(results: Results, teacher: Teacher) -> list[str]:
-    if not results.scenes:
-        return []
+def _what_one_sees(results: StudyResults) -> list[str]:
+    """The figures of the recording, with links to those of the first teacher."""
+    first = results.teachers[0]
+    families = [
+        f"* {_figure_link(first, entities.FAMILIES, 'Families')}: the same regret by kind of "
+        "scene. A dot is a scene that was held out, those without regret in a box at the left; the "
+        "large dot is the mean of the family over seeds, the line its 95 % interval. All are in % "
+        "of what a random action costs in the family, on average over its scenes. Ringed and "
+        f"numbered are the scenes that {link('the page beside', entities.SCENES)} tells of, with "
+        "links to their own recordings."
+    ]
     return [
-        f"* [Families]({_target(teacher, FAMILIES)}): the same regret by kind of scene. A dot is a "
-        "scene that was held out, those without regret in a box at the left; the large dot is the "
-        "mean of the family over seeds, the line its 95 % interval. All are in % of what a random "
-        "action costs in the family, on average over its scenes. Ringed and numbered are the "
-        f"scenes that [the page beside](recording://{entities.SCENES}) tells of, with links to "
-        "their own recordings."
+        f"* {_figure_link(first, entities.REGRET, 'Regret')}: what the teacher loses by the "
+        "learner's picks, in % of what picking at random would cost. The line is the mean over "
+        "seeds, the band the 95 % bootstrap interval of that mean. What leaves the figure is drawn "
+        "at its edge. The upright line marks the number of pairs that the other figures show.",
+        f"* {_figure_link(first, entities.AGREEMENT, 'Best action found')}: in how many of the "
+        "scenes the learner picks what the teacher would.",
+        f"* {_figure_link(first, entities.GAIN_WEIGHTS, 'w(p) of gains')} and "
+        f"{_figure_link(first, entities.LOSS_WEIGHTS, 'of losses')}: how much a probability "
+        "counts. Faint lines are the seeds, the bold one is their mean, the dashed one the "
+        "teacher. An EU learner counts every probability as it is.",
+        f"* {_figure_link(first, entities.VALUES, 'v(u)')}: how good a utility feels, over "
+        "u = θ·φ/|θ|: choices tell the length of θ only together with the value function.",
+        f"* {_figure_link(first, entities.PARAMETERS, 'Parameters')}: the dot is the mean, the "
+        "thick line its 95 % interval, the thin one ± one standard deviation, the dark mark the "
+        "truth. Loss aversion, curvature and the length of θ trade off against one another, so "
+        "that single parameters stay wide where the choices are predicted well.",
+        *(families if results.scenes else []),
+        f"* {_figure_link(first, entities.CALIBRATION, 'Calibration')}: how probable the teacher's "
+        "choices are where the learner predicts so much; a dot's area is the share of predictions. "
+        f"Below, the {_figure_link(first, entities.LIKELIHOOD, 'likelihood')} of held-out choices.",
     ]
 
 
-def _final_row(results: Results, teacher: Teacher, learner: str, pairs: int) -> str:
-    curve = results.curve("regret_percent", teacher, learner)
-    at = _place(curve, pairs)
-    if curve is None or at is None:
-        return ""
-    cells = [
-        _link(teacher, REGRET.name, teacher_name(teacher.name)),
-        learner_name(learner),
-        _cell(results, teacher, learner, "regret_percent", pairs, 1.0, ".2f"),
-        f"{curve.low[at]:.2f} to {curve.high[at]:.2f}" if curve.runs[at] > 1 else "–",
-        _cell(results, teacher, learner, "agreement", pairs, 100.0, ".0f") + " %",
-        _cell(results, teacher, learner, "theta_cosine", pairs, 1.0, ".3f"),
-    ]
-    return f"| {' | '.join(cells)} |"
-
-
-def _lessons(results: Results, pairs: int) -> list[str]:
-    """Which learner has the least regret, and how sure that is, in a sentence a teacher."""
-    lines = []
-    for teacher in results.teachers:
-        regrets: dict[str, float] = {}
-        for learner in results.learners:
-            curve = results.curve("regret_percent", teacher, learner)
-            at = _place(curve, pairs)
-            if curve is not None and at is not None:
-                regrets[learner] = float(curve.mean[at])
-        ranked = sorted(regrets, key=regrets.__getitem__)
-        if len(ranked) > 1:
-            told = _compared(results, teacher, ranked[0], ranked[-1], pairs)
-            lines.append(f"* **{teacher_name(teacher.name)} teacher**: {told}")
-    return lines
-
-
-def _compared(results: Results, teacher: Teacher, best: str, worst: str, pairs: int) -> str:
-    """How much less regret one learner has than another, paired by seed."""
-    names = (
-        f"The {learner_name(best)} learner has less regret than the {learner_name(worst)} learner"
-    )
-    for comparison in paired_differences(results.table, best, worst):
-        if comparison.teacher == teacher.name and pairs in comparison.pairs:
-            at = int(np.flatnonzero(comparison.pairs == pairs)[0])
-            less, low, high = (
-                number(-side[at] + 0.0, ".2f")
-                for side in (comparison.difference, comparison.high, comparison.low)
-            )
-            if comparison.runs[at] == 1:
-                return f"{names} in the one seed, by {less} percentage points."
-            interval = f"{less} percentage points (95 %: {low} to {high})"
-            if comparison.high[at] < 0.0:
-                return f"{names}, by {interval}."
-            return f"{names} in the mean, though not for sure: {interval}."
-    return f"{names} in the mean."
-
-
-def _certainty_row(results: Results, teacher: Teacher) -> str:
-    cells = []
-    for pairs in results.sizes:
-        certainty = [
-            given
-            for learner in results.learners
-            for given in results.runs(teacher, learner, pairs)["certainty"]
+def _about_teachers(results: StudyResults) -> list[str]:
+    """Who the teachers are, what outcomes are worth to them, and how certain their answers were."""
+    teachers = results.teachers
+    names = [teacher_name(teacher.name) for teacher in teachers]
+    minds = [
+        [
+            name,
+            *map(number, (*teacher.parameters.numbers, teacher.beta, teacher.reference)),
+            teacher.weighting,
         ]
-        cells.append(f"{np.mean(certainty):.2f}" if certainty else "")
-    return f"| {teacher_name(teacher.name)} | {' | '.join(cells)} |"
+        for name, teacher in zip(names, teachers, strict=True)
+    ]
+    units = [unit_vector(teacher.reward) for teacher in teachers]
+    rewards = [
+        [feature, *(f"{number(teacher.reward[place])} ({number(unit[place], '.2f')})"
+                    for teacher, unit in zip(teachers, units, strict=True))]
+        for place, feature in enumerate(FEATURES)
+    ]  # fmt: skip
+    certainties = [
+        [name, *(_certainty(results, teacher, pairs) for pairs in results.sizes)]
+        for name, teacher in zip(names, teachers, strict=True)
+    ]
+    sizes = [f"{pairs} pairs" for pairs in results.sizes]
+    return [
+        "An outcome with features φ has utility x = θ·φ − r. A teacher values it at x^α as a "
+        "gain and −λ(−x)^η as a loss, counts probabilities of gains by w with γ, of losses "
+        "with δ, and prefers A to B with probability σ(β(V(A) − V(B))). `prelec` is "
+        "w(p) = exp(−(−ln p)^γ). All ones is expected utility (EU).",
+        "",
+        *table(["teacher", *CptParameters.SYMBOLS, "β", "r", "w"], "lrrrrrrrl", minds),
+        "",
+        *table(["worth θ (scaled to length 1)", *names], "l" + "r" * len(names), rewards),
+        "",
+        *table(["teacher", *sizes], "l" + "r" * len(sizes), certainties),
+        "",
+        "Certainty of the answers: the mean probability of what was answered, 0.5 to 1. "
+        "Answers that are all certain teach little.",
+    ]
+
+
+def _setting_rows(
+    results: StudyResults, settings: Mapping[str, object], versions: Mapping[str, str]
+) -> list[list[str]]:
+    """Everything that the study depends on, a row each."""
+    study = results.study
+    repeated = [row.get("repeated", 0) for row in results.fits]
+    told: dict[str, object] = {
+        "teachers": ", ".join(teacher.name for teacher in results.teachers),
+        "learners": ", ".join(results.learners),
+        "pairs": ", ".join(map(str, results.sizes)),
+        "seeds": results.seeds,
+        "fits": f"{len(results.fits)}, of which {results.unsettled} did not converge",
+        "pairs asked more than once": f"at most {max(repeated)} of a fit",
+    }
+    further: dict[str, object] = {
+        **{
+            f"learner: {learner_name(name)}": _flat(description)
+            for name, description in study.get("learners", {}).items()
+            if name in results.learners
+        },
+        **{name: study[name] for name in ("held_out", "bank") if name in study},
+        **settings,
+        **{f"version: {name}": version for name, version in versions.items()},
+    }
+    return [[name, str(given)] for name, given in (*told.items(), *further.items())]
+
+
+def _final_rows(results: StudyResults) -> list[list[str]]:
+    """How far every learner got with the most pairs."""
+    pairs, rows = results.sizes[-1], []
+    for teacher in results.teachers:
+        for curve in results.curves_of("regret_percent", teacher):
+            learner, spread = curve.learner, curve.at(pairs)
+            if spread is None:
+                continue
+            interval = f"{spread.low:.2f} to {spread.high:.2f}" if spread.runs > 1 else "–"
+            rows.append(
+                [
+                    _figure_link(teacher, entities.REGRET, teacher_name(teacher.name)),
+                    learner_name(learner),
+                    _cell(results, teacher, learner, _REGRET, pairs),
+                    interval,
+                    _cell(results, teacher, learner, _AGREEMENT, pairs) + " %",
+                    _cell(results, teacher, learner, _COSINE, pairs),
+                ]
+            )
+    return rows
+
+
+def _certainty(results: StudyResults, teacher: Teacher, pairs: int) -> str:
+    """Mean certainty of a teacher's answers; nothing if nobody learned from so few."""
+    fits = [fit for le in results.learners for fit in results.fits_of(teacher, le, pairs)]
+    return f"{np.mean([fit['certainty'] for fit in fits]):.2f}" if fits else ""
 
 
 def _cell(
-    results: Results,
-    teacher: Teacher,
-    learner: str,
-    column: str,
-    pairs: int,
-    factor: float,
-    form: str,
+    results: StudyResults, teacher: Teacher, learner: str, measure: _Measure, pairs: int
 ) -> str:
     """Mean ± standard deviation; the mean alone where there is a single seed."""
-    curve = results.curve(column, teacher, learner)
-    at = _place(curve, pairs)
-    if curve is None or at is None:
+    curve = results.curve(measure.column, teacher, learner)
+    spread = curve and curve.at(pairs)
+    if not spread:
         return "–"
-    mean = number(factor * curve.mean[at], form)
-    return f"{mean} ± {factor * curve.std[at]:{form}}" if curve.runs[at] > 1 else mean
-
-
-def _place(curve: Curve | None, pairs: int) -> int | None:
-    if curve is None or pairs not in curve.pairs:
-        return None
-    return int(np.flatnonzero(curve.pairs == pairs)[0])
+    mean = number(measure.factor * spread.mean, measure.form)
+    return f"{mean} ± {measure.factor * spread.std:{measure.form}}" if spread.runs > 1 else mean
 
 
 def _flat(told: object) -> str:
+    """A learner's description in one line."""
     if not isinstance(told, dict):
         return json.dumps(told)
     return ", ".join(f"{name} {given}" for name, given in told.items() if name != "name") or "–"
 
 
-def _target(teacher: Teacher, figure: str) -> str:
-    # Markdown ends a link at a space unless it is in angle brackets, and eats backslashes
-    path = entities.figure(teacher.name, figure).replace("\\", "\\\\")
-    return f"<recording://{path}>"
-
-
-def _link(teacher: Teacher, figure: str, words: str) -> str:
-    return f"[{words}]({_target(teacher, figure)})"
+def _figure_link(teacher: Teacher, figure: str, words: str) -> str:
+    return link(words, entities.figure(teacher.name, figure))

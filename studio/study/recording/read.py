@@ -40,18 +40,10 @@ def read_study(contents: Contents) -> tuple[pa.Table, tuple[Teacher, ...]]:
 
 def _teachers(contents: Contents) -> tuple[Teacher, ...]:
     told: dict[str, dict[str, Any]] = tomllib.loads(contents.text(entities.STUDY, "teachers"))
-    return tuple(
-        Teacher(
-            **(
-                description
-                | {
-                    "parameters": CptParameters(**description["parameters"]),
-                    "reward": tuple(description["reward"]),
-                }
-            )
-        )
-        for description in told.values()
-    )
+    for description in told.values():
+        description["parameters"] = CptParameters(**description["parameters"])
+        description["reward"] = tuple(description["reward"])
+    return tuple(Teacher(**description) for description in told.values())
 
 
 def _fits(teacher: str, learner: str, row: dict[str, Any]) -> list[dict[str, Any]]:

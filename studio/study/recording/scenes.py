@@ -4,14 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import rerun as rr
 
 from learners import Teacher
-from studio.recorder.pages import log_page
-from studio.study.recording import entities
+from studio.recorder.markdown import table
 from studio.study.recording.families import LEAST_PERCENT, family_figure
-from studio.study.results import Results
-from studio.style.words import counted, learner_name, number, teacher_name
+from studio.study.results import StudyResults
+from studio.study.words import learner_called, teacher_called
+from studio.style.words import counted, number
 
 
 @dataclass(frozen=True)
@@ -33,16 +32,7 @@ Links = Mapping[int, SceneLink]
 """Recordings by the scene's id in the bank."""
 
 
-def log_scenes(stream: rr.RecordingStream, results: Results, links: Links) -> None:
-    """Add the page of scenes, which changes with the number of pairs."""
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        page = scenes_page(results, links, pairs)
-        log_page(stream, entities.SCENES, page, static=False)
-    stream.reset_time()
-
-
-def scenes_page(results: Results, links: Links, pairs: int) -> str:
+def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:
     """The scenes in which learners differ most, with links to the recordings there are."""
     several = len(results.learners) > 1
     chosen = (
@@ -78,32 +68,30 @@ def scenes_page(results: Results, links: Links, pairs: int) -> str:
     )
 
 
-def _teacher(results: Results, links: Links, teacher: Teacher, pairs: int) -> list[str]:
+def _teacher(results: StudyResults, links: Links, teacher: Teacher, pairs: int) -> list[str]:
     """The table of one teacher's scenes."""
     scenes = results.telling[teacher.name]
-    lines = [f"## {teacher_name(teacher.name)} teacher", ""]
+    title = [f"## {teacher_called(teacher)}", ""]
     if not scenes:
-        return [*lines, "No learner has regret in any scene.", ""]
-    learners = " | ".join(f"{learner_name(learner)} learner" for learner in results.learners)
-    lines += [
-        f"| scene | pattern | seeds | teacher | {learners} |",
-        "|:--|:--|:--|:--|" + ":--|" * len(results.learners),
-    ]
+        return [*title, "No learner has regret in any scene.", ""]
+    rows = []
     for place, scene in enumerate(scenes, start=1):
         told, link = results.scenes[scene], links.get(scene)
         name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
-        cells = [
-            f"{place}: {name}",
-            told.pattern,
-            f"{_runs(results, teacher, scene)} of {results.seeds}",
-            told.best[teacher.name],
-            *(_pick(results, teacher, learner, scene, pairs) for learner in results.learners),
-        ]
-        lines.append(f"| {' | '.join(cells)} |")
-    return [*lines, ""]
+        rows.append(
+            [
+                f"{place}: {name}",
+                told.pattern,
+                f"{_runs(results, teacher, scene)} of {results.seeds}",
+                told.best[teacher.name],
+                *(_pick(results, teacher, learner, scene, pairs) for learner in results.learners),
+            ]
+        )
+    heads = ["scene", "pattern", "seeds", "teacher", *map(learner_called, results.learners)]
+    return [*title, *table(heads, "l" * len(heads), rows), ""]
 
 
-def _pick(results: Results, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
+def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
     """What a learner picks in a scene, and the regret."""
     regrets = results.scene_regrets(teacher, learner, pairs)
     if regrets is None or scene not in regrets.scenes:
@@ -118,8 +106,8 @@ def _pick(results: Results, teacher: Teacher, learner: str, scene: int, pairs: i
     return f"{regrets.picks[at]}, {percent:.{0 if percent >= 10.0 else 1}f} %"
 
 
-def _runs(results: Results, teacher: Teacher, scene: int) -> int:
-    """How many seeds held a scene out."""
+def _runs(results: StudyResults, teacher: Teacher, scene: int) -> int:
+    """How many seeds kept a scene back for the test."""
     return max(
         int(each.runs[each.scenes == scene].sum())
         for learner in results.learners
@@ -139,7 +127,7 @@ def _recordings(links: Links) -> list[str]:
     return [
         "## The recordings",
         "",
-        "They show all futures of a scene under every action, and what the teachers make of them. "
+        "They show all rollouts of a scene under every action, and what the teachers make of them. "
         "The arrow at the top of the viewer leads back here.",
         "",
         "Links start from this recording's folder, where `studio view` opens the viewer. If a "

@@ -7,6 +7,7 @@ editions.
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,14 +22,25 @@ from studio.recorder.drawing import log_ground, y_upwards
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
 from studio.study.recording import entities
-from studio.study.recording.blueprint import learning_blueprint
+from studio.study.recording.blueprint import study_blueprint
 from studio.study.recording.calibration import log_calibration
-from studio.study.recording.curves import AGREEMENT, LIKELIHOOD, REGRET, log_curve_figure
+from studio.study.recording.curves import (
+    AGREEMENT_CURVES,
+    LIKELIHOOD_CURVES,
+    REGRET_CURVES,
+    log_curve_figure,
+)
 from studio.study.recording.families import log_families, log_family_numbers
 from studio.study.recording.minds import log_minds
-from studio.study.recording.pages import about_page, command, summary_page, teacher_page
-from studio.study.recording.scenes import Links, log_scenes
-from studio.study.results import CURVE_COLUMNS, Results
+from studio.study.recording.over_pairs import each_size, log_changing_page, sides
+from studio.study.recording.pages import (
+    about_study_page,
+    study_command,
+    study_summary_page,
+    teacher_page,
+)
+from studio.study.recording.scenes import Links, scenes_page
+from studio.study.results import CURVE_COLUMNS, StudyResults
 
 SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
@@ -36,10 +48,10 @@ SCHEMA_VERSION = 2
 Property = str | float | int | bool
 
 NAMED = ("teacher", "learner", "pairs")
-"""Columns that the place of a row in the recording tells."""
+"""Columns that are not kept, because entity path and time tell them."""
 
 
-def write_learning_recording(
+def write_study_recording(
     path: Path,
     table: pa.Table,
     teachers: Sequence[Teacher],
@@ -51,41 +63,48 @@ def write_learning_recording(
     Args:
         path: the `.rrd` file to write.
         table: what came of the study, one row a fit, see `learners.STUDY_SCHEMA`.
-        teachers: who was learned from.
+        teachers: who was learned from; those without rows are left out.
         properties: what else the recording shall say about itself, kept as its property
             `settings`; `outcomes`, the bank, goes into the command that makes it again.
-        links: recordings of scenes of the study that there are, to be linked to.
+        links: the recordings of scenes of the study to which the pages link.
 
     Raises:
         OSError: if the file cannot be written.
     """
-    results, settings = Results(table, tuple(teachers)), dict(properties)
+    results, settings = StudyResults(table, tuple(teachers)), dict(properties)
+    results = results.among(results.taught)
     versions = package_versions()
-    identity, blueprint = _identity(results, settings), learning_blueprint(results)
+    identity, blueprint = _identity(results, settings), study_blueprint(results)
     with recording_to(path, entities.APPLICATION, identity, blueprint) as stream:
         stream.set_log_tick_enabled(False)
-        log_properties(stream, results, settings, versions)
+        log_study_properties(stream, results, settings, versions)
         log_ground(stream)
         stream.log(entities.FIGURES, y_upwards(), static=True)
         for teacher in results.teachers:
-            for kind in (REGRET, AGREEMENT, LIKELIHOOD):
+            for kind in (REGRET_CURVES, AGREEMENT_CURVES, LIKELIHOOD_CURVES):
                 log_curve_figure(stream, results, teacher, kind)
             log_minds(stream, results, teacher)
             log_calibration(stream, results, teacher)
             log_numbers(stream, results, teacher)
-            log_teacher_page(stream, results, teacher)
+            log_changing_page(
+                stream,
+                results,
+                entities.page(teacher.name),
+                partial(teacher_page, results, teacher),
+            )
             if results.scenes:
                 log_families(stream, results, teacher)
                 log_family_numbers(stream, results, teacher)
         if results.scenes:
-            log_scenes(stream, results, links or {})
-        log_page(stream, entities.SUMMARY, summary_page(results))
-        log_page(stream, entities.ABOUT, about_page(results, settings, versions))
+            page = partial(scenes_page, results, links or {})
+            log_changing_page(stream, results, entities.SCENES, page)
+        log_page(stream, entities.SUMMARY, study_summary_page(results))
+        log_page(stream, entities.ABOUT, about_study_page(results, settings, versions))
 
 
-def log_properties(
+def log_study_properties(
     stream: rr.RecordingStream,
-    results: Results,
+    results: StudyResults,
     settings: dict[str, Any],
     versions: dict[str, str],
 ) -> None:
@@ -98,7 +117,7 @@ def log_properties(
         "study",
         rr.AnyValues(
             schema_version=SCHEMA_VERSION,
-            command=command(results, settings),
+            command=study_command(results, settings),
             teachers=tomli_w.dumps(teachers),
             learners=list(results.learners),
             pairs=list(results.sizes),
@@ -111,37 +130,26 @@ def log_properties(
         stream.send_property("settings", rr.AnyValues(**settings))
 
 
-def log_numbers(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
+def log_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Keep the numbers of every fit, and of the curves their mean, std and interval."""
-    for learner in results.learners:
-        for pairs in results.sizes:
-            runs = results.runs(teacher, learner, pairs)
-            if not runs["seed"]:
+    for pairs in each_size(stream, results):
+        for learner in results.learners:
+            rows = results.fits_of(teacher, learner, pairs)
+            if not rows:
                 continue
-            stream.set_time(entities.TIMELINE, sequence=pairs)
-            fits: dict[str, Any] = {}
-            for column, rows in runs.items():
-                if column not in NAMED and rows[0] is not None:
-                    fits[column] = np.concatenate([_numbers(column, row) for row in rows])
+            fits: dict[str, Any] = {
+                column: np.concatenate([_numbers(column, row[column]) for row in rows])
+                for column, first in rows[0].items()
+                if column not in NAMED and first is not None
+            }
             stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
-            spreads: dict[str, Any] = {}
-            for column in CURVE_COLUMNS:
-                curve = results.curve(column, teacher, learner)
-                if curve is not None and pairs in curve.pairs:
-                    at = int(np.flatnonzero(curve.pairs == pairs)[0])
-                    sides = [curve.mean[at], curve.std[at], curve.low[at], curve.high[at]]
-                    spreads[column] = np.array(sides).ravel()
+            curves = {column: results.curve(column, teacher, learner) for column in CURVE_COLUMNS}
+            spreads: dict[str, Any] = {
+                column: np.array(sides(spread)).ravel()
+                for column, curve in curves.items()
+                if curve and (spread := curve.at(pairs))
+            }
             stream.log(entities.curves(teacher.name, learner), rr.AnyValues(**spreads))
-    stream.reset_time()
-
-
-def log_teacher_page(stream: rr.RecordingStream, results: Results, teacher: Teacher) -> None:
-    """Add the page that says what was learned so far."""
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        page = teacher_page(results, teacher, pairs)
-        log_page(stream, entities.page(teacher.name), page, static=False)
-    stream.reset_time()
 
 
 _WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")
@@ -154,7 +162,7 @@ def _numbers(column: str, given: Any) -> NDArray[Any]:
     return np.atleast_1d(np.array(given, dtype=np.int64 if column in _WHOLE else np.float64))
 
 
-def _identity(results: Results, settings: dict[str, Any]) -> str:
+def _identity(results: StudyResults, settings: dict[str, Any]) -> str:
     """An id that is the same for the same study: opened twice, it is one recording."""
     made_of = (
         [teacher.description() for teacher in results.teachers],

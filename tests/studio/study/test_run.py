@@ -13,14 +13,12 @@ import pytest
 from click.testing import CliRunner, Result
 from rerun.chunk import RrdReader
 
-import learners.studying.study
-from learners import FEATURES, CptParameters, Teacher
+import studio.study.run
+from learners import FEATURES
 from scenes import Noise
 from scenes.bank import BankPlan, write_bank
 from studio.cli import main
-from studio.errors import InputError
 from studio.orchestrator import Studio
-from studio.study.teachers import read_teachers
 
 CONTRACT = [
     "teacher", "learner", "pairs", "seed", "regret", "regret_percent", "nll", "certainty",
@@ -165,7 +163,7 @@ def test_an_interrupted_study_continues_where_it_stopped(
     bank: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = Studio(tmp_path / "whole").learn(bank, **SMALL).table
-    whole_batches = learners.studying.study.study_batches
+    whole_batches = studio.study.run.study_batches
     fitted: list[int] = []
 
     def counted(*arguments: Any, **keywords: Any) -> Iterator[pa.Table]:
@@ -177,11 +175,11 @@ def test_an_interrupted_study_continues_where_it_stopped(
         yield next(iter(whole_batches(*arguments, **keywords)))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(learners.studying.study, "study_batches", interrupted)
+    monkeypatch.setattr(studio.study.run, "study_batches", interrupted)
     with pytest.raises(KeyboardInterrupt):
         Studio(tmp_path / "broken").learn(bank, **SMALL)
     assert not (tmp_path / "broken" / "learning.parquet").exists()
-    monkeypatch.setattr(learners.studying.study, "study_batches", counted)
+    monkeypatch.setattr(studio.study.run, "study_batches", counted)
     continued = Studio(tmp_path / "broken").learn(bank, **SMALL).table
     assert sum(fitted) == whole.num_rows // 2
     assert continued.equals(whole)
@@ -206,14 +204,6 @@ def test_a_teacher_of_ones_own_can_be_named(bank: Path, tmp_path: Path) -> None:
     assert result.exit_code == 0, result.stderr
     table = pq.read_table(tmp_path / "learning.parquet")
     assert set(table["teacher"].to_pylist()) == {"tk", "cautious"}
-
-
-def test_profiles_are_read_in_the_order_of_the_letters() -> None:
-    [mine] = read_teachers((), ("mine=0.9,0.8,4,0.6,0.7",), beta=None)
-    assert mine == Teacher("mine", CptParameters(0.9, 0.8, 4.0, 0.6, 0.7))
-    assert all(teacher.beta == 5.0 for teacher in read_teachers(("eu", "tk"), (), beta=5.0))
-    with pytest.raises(InputError, match=r"--profile: 'mine=1,2' is not a profile: NAME="):
-        read_teachers((), ("mine=1,2",), beta=None)
 
 
 Change = Callable[[pa.Table], pa.Table]

@@ -24,12 +24,14 @@ from matplotlib.transforms import Bbox
 from learners import PROFILES, TEACHERS, Teacher
 from scenes.bank import BankPlan, write_bank
 from studio.cli import main
-from studio.study.paper.figure import compose_paper_figure, paper_caption, write_paper_figure
+from studio.study.paper.figure import compose_paper_figure, write_paper_figure
 from studio.study.paper.page import settings
+from studio.study.results import StudyResults
+from studio.study.words import paper_caption
 from studio.style.palette import learner_colour
+from tests.studio.study.tables import THREE, study_table
 
 COLUMN = 89.0 / 25.4 * 72.0  # pt
-THREE = tuple(TEACHERS.values())
 SIZES = (25, 50, 100, 200, 500, 1000, 2000)
 Case = tuple[pa.Table, Sequence[Teacher]]
 
@@ -41,24 +43,17 @@ def case(
     seeds: int = 3,
     **columns: Any,
 ) -> Case:
-    """A study's table, as far as the figure reads it, and the teachers."""
-    rng = np.random.default_rng(0)
-    rows = [
-        {
-            "teacher": teacher.name,
-            "learner": learner,
-            "pairs": pairs,
-            "seed": seed,
-            "regret_percent": (60 if learner == "eu" else 100) / pairs * np.exp(rng.normal(0, 0.4)),
-            "certainty": 0.82,
-            "converged": True,
-            **columns,
-        }
-        for pairs, teacher, learner, seed in itertools.product(
-            sizes, teachers, learners, range(seeds)
-        )
-    ]
-    return pa.Table.from_pylist(rows), teachers
+    """A study's table, and the teachers."""
+    known = {"certainty": 0.82} | columns
+    return study_table(teachers, learners, sizes, seeds, **known), teachers
+
+
+def figure_of(table: pa.Table, teachers: Sequence[Teacher]) -> Figure:
+    return compose_paper_figure(StudyResults(table, tuple(teachers)))
+
+
+def caption_of(table: pa.Table, teachers: Sequence[Teacher]) -> str:
+    return paper_caption(StudyResults(table, tuple(teachers)))
 
 
 def without_the_end(rows: int) -> Case:
@@ -133,7 +128,7 @@ def pixels_of(figure: Figure) -> np.ndarray[Any, Any]:
 @pytest.mark.filterwarnings("ignore:Glyph")  # texts are measured outside of the settings
 @pytest.mark.parametrize("name", CASES)
 def test_texts_can_be_read_and_stay_on_the_page_and_off_one_another(name: str) -> None:
-    figure = compose_paper_figure(*CASES[name]())
+    figure = figure_of(*CASES[name]())
     placed = placed_texts(figure)
     width, height = 72.0 * figure.get_size_inches()
     assert width == pytest.approx(COLUMN)
@@ -148,14 +143,14 @@ def test_texts_can_be_read_and_stay_on_the_page_and_off_one_another(name: str) -
 
 
 def test_six_teachers_fit_on_a_page() -> None:
-    figure = compose_paper_figure(*CASES["six teachers"]())
+    figure = figure_of(*CASES["six teachers"]())
     assert figure.get_size_inches()[1] * 25.4 < 200.0
 
 
 @pytest.mark.parametrize("name", ["three teachers", "one fit", "one size", "many sizes"])
 def test_every_learner_has_marks_of_its_colour_in_every_panel(name: str) -> None:
     table, teachers = CASES[name]()
-    figure = compose_paper_figure(table, teachers)
+    figure = figure_of(table, teachers)
     pixels = pixels_of(figure)
     assert len(figure.axes) == len(teachers)
     for axes, learner in itertools.product(figure.axes, set(table["learner"].to_pylist())):
@@ -166,29 +161,29 @@ def test_every_learner_has_marks_of_its_colour_in_every_panel(name: str) -> None
 
 
 def test_learners_differ_without_their_colours() -> None:
-    figure = compose_paper_figure(*CASES["five learners"]())
+    figure = figure_of(*CASES["five learners"]())
     samples = [artist for artist in figure.artists if isinstance(artist, Line2D)]
     assert len(samples) == 3 * len(EVERYBODY)
     assert len({line.get_marker() for line in samples}) == len(EVERYBODY)
 
 
 def test_panels_and_lines_are_named() -> None:
-    texts = said(compose_paper_figure(*case()))
+    texts = said(figure_of(*case()))
     for title in ("(a) EU teacher", "(b) T&K teacher", "(c) Strong teacher"):
         assert texts.count(title) == 1
     assert texts.count("CPT") == texts.count("EU") == 3
     assert "α 0.88  η 0.88  λ 2.25  γ 0.61  δ 0.69" in texts
     assert texts.count("2000") == 1
-    assert "Strong teacher" in said(compose_paper_figure(*case((TEACHERS["strong"],))))
+    assert "Strong teacher" in said(figure_of(*case((TEACHERS["strong"],))))
 
 
 def test_no_regret_has_a_place_on_the_axis_where_there_is_some() -> None:
-    assert "0" not in said(compose_paper_figure(*case()))
-    assert "0" in said(compose_paper_figure(*case(regret_percent=0.0)))
+    assert "0" not in said(figure_of(*case()))
+    assert "0" in said(figure_of(*case(regret_percent=0.0)))
 
 
 def test_the_caption_says_what_a_reader_needs_to_know() -> None:
-    caption = paper_caption(*case())
+    caption = caption_of(*case())
     assert "\n" not in caption
     for part in (
         "25 to 2000 preference pairs",
@@ -199,10 +194,10 @@ def test_the_caption_says_what_a_reader_needs_to_know() -> None:
     ):
         assert part in caption
     assert "converge" not in caption
-    assert "126 of 126 fits did not converge" in paper_caption(*case(converged=False))
-    assert "interval" not in paper_caption(*case(seeds=1))
-    assert "1 to 3 seeds" in paper_caption(*without_the_end(8))
-    assert "no fits" in paper_caption(*without_the_end(126))
+    assert "126 of 126 fits did not converge" in caption_of(*case(converged=False))
+    assert "interval" not in caption_of(*case(seeds=1))
+    assert "1 to 3 seeds" in caption_of(*without_the_end(8))
+    assert "no fits" in caption_of(*without_the_end(126))
 
 
 def pdf_text(text: str) -> bytes:
@@ -226,7 +221,7 @@ def test_a_pdf_is_one_column_wide_and_brings_its_fonts(name: str, tmp_path: Path
 def test_a_pdf_holds_its_caption(tmp_path: Path) -> None:
     path = tmp_path / "curves.PDF"
     write_paper_figure(path, *case())
-    assert pdf_text(paper_caption(*case())) in path.read_bytes()
+    assert pdf_text(caption_of(*case())) in path.read_bytes()
 
 
 @pytest.mark.parametrize("name", ["three teachers", "odd names"])
@@ -237,7 +232,7 @@ def test_an_svg_is_one_column_wide_and_holds_its_caption(name: str, tmp_path: Pa
     root = ElementTree.parse(path).getroot()
     assert root.attrib["width"].endswith("pt")
     assert float(root.attrib["width"][:-2]) == pytest.approx(COLUMN, abs=0.01)
-    assert paper_caption(table, teachers) in [element.text for element in root.iter()]
+    assert caption_of(table, teachers) in [element.text for element in root.iter()]
     tags = {element.tag.rpartition("}")[2] for element in root.iter()}
     assert "text" not in tags  # letters are outlines
     assert "date" not in tags

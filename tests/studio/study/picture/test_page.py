@@ -6,84 +6,24 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from learners import PROFILES, TEACHERS, Teacher
+from learners import PARAMETER_COLUMNS, PROFILES, TEACHERS, Teacher
 from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
-from studio.study.picture.film import compose_learning_film
-from studio.study.picture.page import compose_learning_picture, draw_page, lay_out
-from studio.study.picture.results import Results
+from studio.study.picture.film import compose_study_film
+from studio.study.picture.page import (
+    compose_study_picture,
+    draw_stage,
+    lay_out_study,
+)
+from studio.study.results import StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
+from tests.studio.study.tables import THREE, study_table
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
-THREE = tuple(TEACHERS.values())
-PARAMETERS = ("alpha", "eta", "lambda", "gamma", "delta")
-
-
-def a_fit(teacher, learner, pairs, seed, rng, **columns):
-    truth = teacher.parameters
-    numbers = (truth.alpha, truth.eta, truth.loss_aversion, truth.gamma, truth.delta)
-    learnt = np.array(numbers) * np.exp(rng.normal(0, 3 / np.sqrt(pairs), 5))
-    theta = np.array(teacher.reward) * np.exp(
-        rng.normal(0, 1 / np.sqrt(pairs), len(teacher.reward))
-    )
-    regret = (100 if learner != "eu" else 60) / pairs * np.exp(rng.normal(0, 0.3))
-    predicted = [None, *np.linspace(0.15, 0.95, 9).tolist()]
-    preferred = [None, *np.linspace(0.25, 0.85, 9).tolist()]
-    row = {
-        "teacher": teacher.name,
-        "learner": learner,
-        "pairs": pairs,
-        "seed": seed,
-        "regret": regret / 1000,
-        "regret_percent": regret,
-        "nll": 0.5,
-        "certainty": 0.8,
-        "theta": theta.tolist(),
-        **dict(zip(PARAMETERS, learnt.tolist() if learner != "eu" else [None] * 5, strict=True)),
-        "agreement": min(1.0, 0.6 + pairs / 5000),
-        "converged": True,
-        "calibration_count": [0, *[10] * 9],
-        "calibration_predicted": predicted,
-        "calibration_preferred": preferred,
-    }
-    return row | columns
-
-
-def a_table(
-    teachers=THREE,
-    learners=("eu", "cpt"),
-    sizes=(25, 200, 2000),
-    seeds=3,
-    **columns,
-):
-    rng = np.random.default_rng(0)
-    tasks = itertools.product(sizes, teachers, learners, range(seeds))
-    rows = [
-        a_fit(teacher, learner, pairs, seed, rng, **columns)
-        for pairs, teacher, learner, seed in tasks
-    ]
-    numbers = pa.list_(pa.float64())
-    schema = pa.schema(
-        [
-            ("teacher", pa.string()),
-            ("learner", pa.string()),
-            ("pairs", pa.int64()),
-            ("seed", pa.int64()),
-            *((name, pa.float64()) for name in ("regret", "regret_percent", "nll", "certainty")),
-            ("theta", numbers),
-            *((name, pa.float64()) for name in PARAMETERS),
-            ("agreement", pa.float64()),
-            ("converged", pa.bool_()),
-            ("calibration_count", pa.list_(pa.int64())),
-            ("calibration_predicted", numbers),
-            ("calibration_preferred", numbers),
-        ]
-    )
-    return pa.Table.from_pylist(rows, schema=schema)
 
 
 def case(teachers=THREE, **options):
-    return a_table(teachers, **options), teachers
+    return study_table(teachers, **options), teachers
 
 
 OWN = tuple(
@@ -104,11 +44,11 @@ CASES = {
     "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
     "huge regret": lambda: case(regret_percent=12345.6),
     "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=1),
-    "nothing fitted": lambda: (a_table().slice(0, 0), THREE),
-    "one teacher fitted": lambda: (a_table((TEACHERS["eu"],)), THREE),
+    "nothing fitted": lambda: (study_table().slice(0, 0), THREE),
+    "one teacher fitted": lambda: (study_table((TEACHERS["eu"],)), THREE),
     "nothing converged": lambda: case(converged=False),
     "nothing known": lambda: case(
-        **dict.fromkeys(PARAMETERS),
+        **dict.fromkeys(PARAMETER_COLUMNS),
         certainty=None,
         converged=None,
         calibration_count=[],
@@ -138,7 +78,7 @@ def pages():
 
 @pytest.mark.parametrize(("name", "size", "theme"), [*pages()])
 def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
-    canvas = compose_learning_picture(*CASES[name](), size, THEMES[theme])
+    canvas = compose_study_picture(*CASES[name](), size, THEMES[theme])
     assert len(canvas.texts) > 5
     for text in canvas.texts:
         assert canvas.box.contains(text.box), text
@@ -149,24 +89,24 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_png_has_the_size_asked_for_and_shows_something(tmp_path, size):
     path = tmp_path / "learning.png"
-    compose_learning_picture(*case(), size).save(path)
+    compose_study_picture(*case(), size).save(path)
     pixels = cv2.imread(str(path))
     assert pixels.shape == (size[1], size[0], 3)
     assert 0.2 < (pixels == LIGHT.ground).all(axis=-1).mean() < 0.9
 
 
 def test_every_learner_has_its_colour_and_none_that_of_contact():
-    pixels = compose_learning_picture(*case(learners=("eu", "cpt", "cpt-tied"))).pixels
+    pixels = compose_study_picture(*case(learners=("eu", "cpt", "cpt-tied"))).pixels
     for learner in ("eu", "cpt", "cpt-tied"):
         assert has_colour(pixels, LEARNER_COLOURS[learner])
     assert not has_colour(pixels, LIGHT.contact)
     assert not has_colour(
-        compose_learning_picture(*case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
+        compose_study_picture(*case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
     )
 
 
 def test_the_page_says_what_was_studied_and_names_lines_beside_them():
-    texts = texts_of(compose_learning_picture(*case()))
+    texts = texts_of(compose_study_picture(*case()))
     assert any(
         all(
             part in text
@@ -187,21 +127,21 @@ def test_the_page_says_what_was_studied_and_names_lines_beside_them():
 
 
 def test_the_page_says_what_bands_are_where_there_are_some():
-    said = " ".join(texts_of(compose_learning_picture(*case())))
+    said = " ".join(texts_of(compose_study_picture(*case())))
     assert "95 % bootstrap interval" in said
-    assert "interval" not in " ".join(texts_of(compose_learning_picture(*case(seeds=1))))
+    assert "interval" not in " ".join(texts_of(compose_study_picture(*case(seeds=1))))
 
 
 def test_the_page_says_what_is_short_for_what():
-    said = " ".join(texts_of(compose_learning_picture(*case())))
+    said = " ".join(texts_of(compose_study_picture(*case())))
     for words in ("cumulative prospect theory", "λ: loss aversion", "logarithmic", "% points"):
         assert words in said
-    plain = " ".join(texts_of(compose_learning_picture(*case(learners=("eu",)))))
+    plain = " ".join(texts_of(compose_study_picture(*case(learners=("eu",)))))
     assert "loss aversion" not in plain
 
 
 def test_every_number_of_pairs_is_named_below_the_regret():
-    texts = texts_of(compose_learning_picture(*case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
+    texts = texts_of(compose_study_picture(*case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
     assert texts.count("1000") >= 3
 
 
@@ -210,44 +150,44 @@ def test_fits_that_did_not_converge_are_counted():
     converged = [index % 9 != 0 for index in range(table.num_rows)]
     place = table.column_names.index("converged")
     some = table.set_column(place, "converged", pa.array(converged))
-    assert "6 did not converge" in " ".join(texts_of(compose_learning_picture(some, teachers)))
-    assert "all converged" in " ".join(texts_of(compose_learning_picture(table, teachers)))
+    assert "6 did not converge" in " ".join(texts_of(compose_study_picture(some, teachers)))
+    assert "all converged" in " ".join(texts_of(compose_study_picture(table, teachers)))
 
 
 def test_the_largest_size_is_compared_in_words():
-    texts = " ".join(texts_of(compose_learning_picture(*case())))
+    texts = " ".join(texts_of(compose_study_picture(*case())))
     assert texts.count("CPT's regret is") == 3
-    assert "regret is" not in " ".join(texts_of(compose_learning_picture(*case(learners=("cpt",)))))
+    assert "regret is" not in " ".join(texts_of(compose_study_picture(*case(learners=("cpt",)))))
 
 
 def test_zero_regret_has_a_place_of_its_own_on_the_logarithmic_axis():
-    assert "EU 0 %" not in texts_of(compose_learning_picture(*case()))
-    canvas = compose_learning_picture(*case(regret_percent=0.0))
+    assert "EU 0 %" not in texts_of(compose_study_picture(*case()))
+    canvas = compose_study_picture(*case(regret_percent=0.0))
     assert "EU 0 %" in texts_of(canvas)
     assert "CPT 0 %" in texts_of(canvas)
 
 
 def test_shapes_are_shown_only_if_somebody_learnt_them():
-    assert "Weight of losses" in texts_of(compose_learning_picture(*case()))
-    assert "Weight of losses" not in texts_of(compose_learning_picture(*case(learners=("eu",))))
+    assert "Weight of losses" in texts_of(compose_study_picture(*case()))
+    assert "Weight of losses" not in texts_of(compose_study_picture(*case(learners=("eu",))))
 
 
 def test_of_too_many_teachers_it_says_how_many_are_shown():
-    assert any("4 of 6 teachers" in text for text in texts_of(compose_learning_picture(*case(OWN))))
+    assert any("4 of 6 teachers" in text for text in texts_of(compose_study_picture(*case(OWN))))
 
 
 def test_the_same_table_gives_the_same_picture_in_silence():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        first, second = (compose_learning_picture(*case()).pixels for _ in range(2))
+        first, second = (compose_study_picture(*case()).pixels for _ in range(2))
     assert np.array_equal(first, second)
 
 
 def test_what_cannot_be_drawn_or_written_is_refused_in_one_line(tmp_path):
     with pytest.raises(InputError, match="size: 320x200"):
-        compose_learning_picture(*case(), (320, 200))
+        compose_study_picture(*case(), (320, 200))
     with pytest.raises(FileNotFoundError):
-        compose_learning_picture(*case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
+        compose_study_picture(*case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
 
 
 # The film
@@ -259,7 +199,7 @@ STANDING, ENDING = 15, 30  # frames
 
 def incomplete():
     """The last size is known of one learner of one teacher only; one teacher has none at all."""
-    table = a_table(THREE[:2])
+    table = study_table(THREE[:2])
     rows = table.to_pylist()
     kept = [
         row["pairs"] < 2000 or (row["teacher"], row["learner"]) == ("tk", "cpt") for row in rows
@@ -279,13 +219,13 @@ FILMED = {
 
 
 def frames_of(table, teachers, **options):
-    segments = compose_learning_film(table, teachers, FILM_SIZE, FRAMES_PER_SECOND, **options)
+    segments = compose_study_film(table, teachers, FILM_SIZE, FRAMES_PER_SECOND, **options)
     return [[frame.copy() for frame in segment.frames()] for segment in segments], segments
 
 
 def page_at(table, teachers, pairs):
-    results = Results.of(table, teachers)
-    return draw_page(lay_out(results, (1600, 1000), LIGHT), results.up_to(pairs))
+    page = lay_out_study(StudyResults(table, teachers), (1600, 1000), LIGHT)
+    return draw_stage(page, page.results.up_to(pairs))
 
 
 def texts_at(table, teachers, pairs):
@@ -304,16 +244,14 @@ def test_the_film_stands_at_every_number_of_pairs_and_ends_with_the_picture(name
         assert all(np.array_equal(frame, frames[0]) for frame in frames)
     for before, after in itertools.pairwise(drawn):
         assert not np.array_equal(before[0], after[0])
-    assert np.array_equal(
-        drawn[-1][-1], compose_learning_picture(table, teachers, FILM_SIZE).pixels
-    )
+    assert np.array_equal(drawn[-1][-1], compose_study_picture(table, teachers, FILM_SIZE).pixels)
 
 
 def test_a_study_without_fits_has_a_film_too():
-    drawn, _ = frames_of(a_table().slice(0, 0), THREE)
+    drawn, _ = frames_of(study_table().slice(0, 0), THREE)
     assert len(drawn) == 1
     assert np.array_equal(
-        drawn[0][-1], compose_learning_picture(a_table().slice(0, 0), THREE, FILM_SIZE).pixels
+        drawn[0][-1], compose_study_picture(study_table().slice(0, 0), THREE, FILM_SIZE).pixels
     )
 
 
@@ -350,10 +288,9 @@ def test_what_a_study_lacks_is_not_told_before_its_time():
 
 @pytest.mark.parametrize("name", FILMED)
 def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(name):
-    results = Results.of(*FILMED[name]())
-    page = lay_out(results, (640, 360), LIGHT)
-    for pairs in results.all_sizes:
-        canvas = draw_page(page, results.up_to(pairs))
+    page = lay_out_study(StudyResults(*FILMED[name]()), (640, 360), LIGHT)
+    for stage in page.results.stages:
+        canvas = draw_stage(page, stage)
         for text in canvas.texts:
             assert canvas.box.contains(text.box), text
         for first, second in itertools.combinations(canvas.texts, 2):
@@ -368,5 +305,5 @@ def test_a_film_has_its_theme():
 @pytest.mark.parametrize("size", [(641, 400), (320, 200)])
 def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size, tmp_path):
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
-        write_mp4(tmp_path / "film.mp4", compose_learning_film(*case(), size), size, 30)
+        write_mp4(tmp_path / "film.mp4", compose_study_film(*case(), size), size, 30)
     assert "\n" not in str(error.value)

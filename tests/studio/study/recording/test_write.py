@@ -34,105 +34,22 @@ from studio.recorder.axes import (
     pairs_scale,
     ratio_scale,
 )
-from studio.study.recording.curves import AGREEMENT, REGRET
+from studio.study.recording.curves import AGREEMENT_CURVES, REGRET_CURVES
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
 from studio.study.recording.minds import value_figure, visible
 from studio.study.recording.scenes import SceneLink
-from studio.study.recording.write import SCHEMA_VERSION, write_learning_recording
-from studio.study.results import CURVE_COLUMNS, FAMILY_COLUMNS, Results
+from studio.study.recording.write import SCHEMA_VERSION, write_study_recording
+from studio.study.results import CURVE_COLUMNS, FAMILY_COLUMNS, StudyResults
+from tests.studio.study.tables import RANDOM_REGRET, study_table
 
 REFERENCE = Path(__file__).parents[4] / "recordings" / "README.md"
 SETTINGS: dict[str, Any] = {"outcomes": "bank.parquet"}
 PAIR = (TEACHERS["eu"], TEACHERS["tk"])
 SIZES = (25, 100)
-RANDOM_REGRET = {"doorway": 0.05, "open": 0.052}
-BINS = 10
 LINKS = {
     number: SceneLink(f"doorway-0-{number}", f"scenes/doorway-0-{number}.rrd", (f"make {number}",))
     for number in range(12)
 }
-
-
-def make_row(
-    rng: np.random.Generator, teacher: Teacher, learner: str, pairs: int, seed: int
-) -> dict[str, Any]:
-    """A fit that errs by an amount that shrinks with the number of pairs."""
-    error = 1.0 / np.sqrt(pairs)
-    theta = np.array(teacher.reward) + error * rng.standard_normal(5)
-    direction = theta / np.linalg.norm(theta)
-    parameters = dict.fromkeys(("alpha", "eta", "lambda", "gamma", "delta"))
-    if learner != "eu":
-        truth = vars(teacher.parameters).values()
-        parameters = {
-            name: float(number * np.exp(error * rng.standard_normal()))
-            for name, number in zip(parameters, truth, strict=True)
-        }
-    count = rng.integers(0, 20, BINS)
-    held_out = sorted(np.random.default_rng(seed).permutation(12)[:6].tolist())
-    regret = np.where(rng.random(6) < 0.5, error * rng.uniform(0.0, 0.1, 6), 0.0)
-    predicted = [(place + 0.5) / BINS if count[place] else None for place in range(BINS)]
-    return {
-        "teacher": teacher.name,
-        "learner": learner,
-        "pairs": pairs,
-        "seed": seed,
-        "regret": error * rng.uniform(0.01, 0.1),
-        "regret_percent": 100.0 * error * rng.uniform(0.1, 1.0),
-        "nll": 0.4 + error * rng.uniform(),
-        "certainty": 0.8,
-        "theta": theta.tolist(),
-        **parameters,
-        "reference": 0.0,
-        "theta_unit": direction.tolist(),
-        "theta_cosine": 1.0 - error,
-        "agreement": 1.0 - error * rng.uniform(),
-        "nll_teacher": 0.4,
-        "nll_training": 0.3,
-        "repeated": 0,
-        "converged": True,
-        "steps": 9,
-        "expected_decrease": 1e-9,
-        "calibration_count": count.tolist(),
-        "calibration_predicted": predicted,
-        "calibration_preferred": predicted,
-        "held_out_scenes": held_out,
-        "scene_regret": regret.tolist(),
-        "scene_picks": ["stop" if cost == 0.0 else "forward" for cost in regret],
-    }
-
-
-def make_table(
-    teachers: Sequence[Teacher] = PAIR,
-    learners: Sequence[str] = ("eu", "cpt"),
-    sizes: Sequence[int] = SIZES,
-    seeds: int = 3,
-) -> pa.Table:
-    rng = np.random.default_rng(0)
-    rows = [
-        make_row(rng, teacher, learner, pairs, seed)
-        for pairs in sizes
-        for teacher in teachers
-        for learner in learners
-        for seed in range(seeds)
-    ]
-    study = {
-        "bank": "abc",
-        "held_out": 0.25,
-        "learners": {"eu": {"name": "eu", "deviation": 1}},
-        "scenes": [
-            {
-                "scene": number,
-                "family": ["doorway", "open"][number % 2],
-                "pattern": "mixed",
-                "best": {teacher.name: "stop" for teacher in teachers},
-                "random_regret": {teacher.name: 0.04 + 0.002 * number for teacher in teachers},
-            }
-            for number in range(12)
-        ],
-    }
-    return pa.Table.from_pylist(
-        rows, schema=STUDY_SCHEMA.with_metadata({"prospect_study": json.dumps(study)})
-    )
 
 
 @pytest.fixture(autouse=True)
@@ -145,13 +62,13 @@ def _strict() -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def table() -> pa.Table:
-    return make_table()
+    return study_table(PAIR, sizes=SIZES)
 
 
 @pytest.fixture(scope="module")
 def recording(table: pa.Table, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "learning.rrd"
-    write_learning_recording(path, table, tuple(TEACHERS.values()), SETTINGS, LINKS)
+    write_study_recording(path, table, tuple(TEACHERS.values()), SETTINGS, LINKS)
     return path
 
 
@@ -231,7 +148,7 @@ def test_regret_by_family_is_that_of_the_table(recording: Path, table: pa.Table)
 
 
 def test_every_held_out_scene_and_every_mean_is_drawn(recording: Path, table: pa.Table) -> None:
-    results = Results(table, PAIR)
+    results = StudyResults(table, PAIR)
     figure = family_figure(results)
     learnt = read(recording)["/figures/tk/families/learnt"]
     assert learnt["pairs"] == list(SIZES)
@@ -292,7 +209,7 @@ def test_the_page_of_scenes_tells_of_those_that_differ_most(
 
 
 def test_without_recordings_of_scenes_the_page_says_so(table: pa.Table, tmp_path: Path) -> None:
-    write_learning_recording(tmp_path / "test.rrd", table, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", table, PAIR, {})
     for (text,) in read(tmp_path / "test.rrd")["/scenes"]["TextDocument:text"]:
         assert "These scenes have no recordings" in text
         assert "](" not in text
@@ -302,7 +219,7 @@ def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
     table: pa.Table, tmp_path: Path
 ) -> None:
     bare = table.replace_schema_metadata(None)
-    write_learning_recording(tmp_path / "test.rrd", bare, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", bare, PAIR, {})
     entities = read(tmp_path / "test.rrd")
     assert "/scenes" not in entities
     assert not [entity for entity in entities if "families" in entity]
@@ -312,7 +229,7 @@ def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
 
 
 def test_drawn_means_lie_where_the_axes_put_them(recording: Path, table: pa.Table) -> None:
-    axes = REGRET.axes(Results(table, PAIR))
+    axes = REGRET_CURVES.axes(StudyResults(table, PAIR))
     strips = read(recording)["/figures/tk/regret"]["LineStrips2D:strips"][0]
     for curve in learning_curves(table):
         if curve.teacher == "tk":
@@ -335,9 +252,9 @@ def test_the_true_weights_are_the_teachers(recording: Path, figure: str, curvatu
     np.testing.assert_allclose(drawn[inside], expected, atol=2e-3)
 
 
-def test_the_true_value_is_the_teachers(recording: Path, table: pa.Table) -> None:
+def test_the_true_value_is_the_teachers(recording: Path) -> None:
     teacher = TEACHERS["tk"]
-    mind = value_figure(Results(table, PAIR), teacher)
+    mind = value_figure(teacher)
     utilities = np.linalg.norm(teacher.reward) * mind.x
     np.testing.assert_allclose(mind.truth, value(utilities, teacher.parameters))
     strips = read(recording)["/figures/tk/values/truth"]["LineStrips2D:strips"][0]
@@ -394,7 +311,7 @@ def test_the_page_tells_the_command_and_all_settings(recording: Path) -> None:
 def test_teachers_of_ones_own_are_part_of_the_command(tmp_path: Path) -> None:
     own = Teacher("cautious", CptParameters(0.9, 0.9, 9.0, 0.6, 0.7), beta=5.0)
     path = tmp_path / "own.rrd"
-    write_learning_recording(path, make_table([own], ["cpt"]), [own], {})
+    write_study_recording(path, study_table([own], ["cpt"]), [own], {})
     (row,) = read(path)["/__properties/study"]["command"]
     assert "--profile cautious=0.9,0.9,9,0.6,0.7 --beta 5 --learners cpt" in row[0]
 
@@ -474,14 +391,14 @@ def test_opens_at_the_end_with_a_tab_a_teacher(recording: Path) -> None:
 @pytest.mark.parametrize(
     ("table", "teachers"),
     [
-        (make_table(PAIR[1:], ["cpt"], [50], 1), PAIR[1:]),
-        (make_table(PAIR, ["eu"], SIZES, 2), PAIR),
-        (make_table(PAIR, ["cpt-tied", "eu", "cpt", "cpt-reference", "my own"], SIZES, 2), PAIR),
-        (make_table(PAIR, ["eu", "cpt"], range(1, 40), 1), PAIR),
-        (make_table().slice(0, 20), PAIR),
-        (make_table().replace_schema_metadata(None), PAIR),
+        (study_table(PAIR[1:], ["cpt"], [50], 1), PAIR[1:]),
+        (study_table(PAIR, ["eu"], SIZES, 2), PAIR),
+        (study_table(PAIR, ["cpt-tied", "eu", "cpt", "cpt-reference", "my own"], SIZES, 2), PAIR),
+        (study_table(PAIR, ["eu", "cpt"], range(1, 40), 1), PAIR),
+        (study_table(PAIR, sizes=SIZES).slice(0, 20), PAIR),
+        (study_table(PAIR, sizes=SIZES).replace_schema_metadata(None), PAIR),
         (
-            make_table(
+            study_table(
                 [replace(PAIR[0], name=f"aunt/№ {number} & <co>!") for number in range(6)], seeds=1
             ),
             [replace(PAIR[0], name=f"aunt/№ {number} & <co>!") for number in range(6)],
@@ -501,30 +418,30 @@ def test_unusual_studies_can_be_written(
     table: pa.Table, teachers: Sequence[Teacher], tmp_path: Path
 ) -> None:
     path = tmp_path / "unusual.rrd"
-    write_learning_recording(path, table, teachers, {})
+    write_study_recording(path, table, teachers, {})
     assert sum(entity.endswith("/regret") for entity in read(path)) == len(teachers)
 
 
 @pytest.mark.parametrize("regret", [0.0, 1e-9, 400.0])
 def test_regrets_of_any_size_are_drawn(regret: float, tmp_path: Path) -> None:
-    table = make_table(PAIR[:1], ["eu"], SIZES, 2)
+    table = study_table(PAIR[:1], ["eu"], SIZES, 2)
     place = table.column_names.index("regret_percent")
     table = table.set_column(
         place, STUDY_SCHEMA.field("regret_percent"), pa.array([regret] * table.num_rows)
     )
-    write_learning_recording(tmp_path / "test.rrd", table, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", table, PAIR, {})
     strips = read(tmp_path / "test.rrd")["/figures/eu/regret"]["LineStrips2D:strips"][0]
     assert np.isfinite(np.concatenate(strips)).all()
 
 
 def test_a_teacher_who_wants_nothing_can_be_written(tmp_path: Path) -> None:
     idle = Teacher("idle", TEACHERS["tk"].parameters, reward=(0.0,) * 5)
-    write_learning_recording(tmp_path / "test.rrd", make_table([idle]), [idle], {})
+    write_study_recording(tmp_path / "test.rrd", study_table([idle]), [idle], {})
 
 
 def test_a_full_disk_is_an_error_and_not_a_file_cut_short(table: pa.Table) -> None:
     with pytest.raises(OSError, match="No space left"):
-        write_learning_recording(Path("/dev/full"), table, PAIR, {})
+        write_study_recording(Path("/dev/full"), table, PAIR, {})
 
 
 def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
@@ -533,15 +450,15 @@ def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
     rr.set_strict_mode(False)
     settings: Any = {"unloggable": object()}
     with pytest.raises(ValueError, match="arrow"):
-        write_learning_recording(tmp_path / "learning.rrd", table, PAIR, settings)
+        write_study_recording(tmp_path / "learning.rrd", table, PAIR, settings)
 
 
 @pytest.mark.parametrize("lowest", [0.0, 0.57, 0.74, 0.9, 0.999, 1.0])
 def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: float) -> None:
-    table = make_table(PAIR[:1], ["eu"], [25], 1)
+    table = study_table(PAIR[:1], ["eu"], [25], 1)
     place = table.column_names.index("agreement")
     table = table.set_column(place, STUDY_SCHEMA.field("agreement"), pa.array([lowest]))
-    ticks = AGREEMENT.axes(Results(table, PAIR)).y.ticks
+    ticks = AGREEMENT_CURVES.axes(StudyResults(table, PAIR)).y.ticks
     assert ticks[-1] == 1.0
     assert ticks[0] <= lowest + 1e-9
     assert 2 <= len(ticks) <= 11
