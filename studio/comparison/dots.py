@@ -67,7 +67,7 @@ class DotMeasure:
         return (self.apart + share * (BINS - self.apart)) / BINS
 
     def lines(self) -> list[tuple[float, float]]:
-        """From where to where the axis runs, as shares of the width of the plot.
+        """Where the pieces of the axis begin and end, as shares of the width of the plot.
 
         It is broken where a bin is set apart.
         """

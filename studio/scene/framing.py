@@ -10,7 +10,7 @@ SURROUNDINGS = 1.6
 """How far the view reaches beyond everywhere the robot gets, if there is anything to see, m."""
 
 MARGIN = 0.4
-"""Between the outermost thing and the edge of the view, m."""
+"""How far the edge of the view is from the outermost thing in it, m."""
 
 NEAR = 1.0
 """Who comes closer to the robot than this gap matters to the view, m."""

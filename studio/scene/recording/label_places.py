@@ -11,37 +11,37 @@ from studio.arrays import Bounds, FloatArray
 from studio.style.places import choose_places, places_around
 
 VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0
-"""Of the view of the world in a viewer that is 1280 pixels wide and 800 high, px."""
+"""Size of the view of the world in a viewer that is 1280 pixels wide and 800 high, px."""
 
 LETTER_WIDTH, PADDING, LABEL_HEIGHT = 7.0, 16.0, 24.0
-"""Of a letter, around the letters on both sides, and of the whole label, px."""
+"""Width of a letter, width of the frame on both sides of the words, height of a label, px."""
 
 LARGEST_VIEW = 2.0
-"""Leaders meet their labels in views up to so many times as large as the small one."""
+"""Leaders meet their labels in views up to this many times as large as the small one."""
 
 DISTANCES = (0.25, 0.75, 1.25, 2.0, 3.0, 4.5, 6.0)
 """How far from what it names a label may stand, in its own heights."""
 
 DIRECTIONS = 16
-"""In how many directions around it."""
+"""In how many directions around what it names a label may stand."""
 
-COST_OF_HIDING, COST_OF_DISTANCE, COST_OF_TURNING = 15.0, 0.7, 0.5
-"""Of hiding the ways of a whole action; of a label's height; of standing behind, not ahead."""
+COST_OF_HIDING, COST_OF_WALL = 15.0, 3.0
+"""Costs of a label that hides all ways of one action, and of one that hides a wall."""
 
-COST_OF_WALL = 3.0
-"""Of hiding a wall."""
+COST_OF_DISTANCE, COST_OF_TURNING = 0.7, 0.5
+"""Costs of each of its heights that a label is away, and of standing behind instead of ahead."""
 
 WALL_POINTS = 20
-"""A wall is seen at so many points."""
+"""Whether a label hides a wall is found from this many points of the wall."""
 
 FORBIDDEN, MISLEADING = 1e3, 1e2
-"""Cost of hiding another label, or of leaving the view; of being nearer to another end."""
+"""Costs of hiding another label or leaving the view, and of being nearer to another's end."""
 
 ROUNDS = 4
-"""How often each label is placed anew, now that it is known where the others are."""
+"""How often each label is placed anew, once it is known where the others are."""
 
 NEARER = 1e-6
-"""What is nearer by less is as near, m."""
+"""Of two distances that differ by less than this neither counts as the shorter one, m."""
 
 
 def metres_per_pixel(bounds: Bounds) -> float:

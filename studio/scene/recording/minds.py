@@ -19,7 +19,7 @@ from studio.style.ticks import round_ticks
 from studio.style.words import number
 
 CURVES_PITCH, PANELS = 1.4, 4
-"""From the left of a panel to that of the next; how many panels there are."""
+"""How far the left of a panel is from that of the next, and how many panels there are."""
 
 OUTCOMES_WEIGHED = 50
 """How many equally likely outcomes the decision weights are drawn for."""
@@ -48,12 +48,12 @@ class Panel:
 
     @property
     def width(self) -> float:
-        """From the lowest value across to the highest."""
+        """How much the axis across spans, in its own unit."""
         return self.x[-1] - self.x[0]
 
     @property
     def height(self) -> float:
-        """From the lowest value upwards to the highest."""
+        """How much the axis upwards spans, in its own unit."""
         return self.y[-1] - self.y[0]
 
 

@@ -19,7 +19,7 @@ from studio.style.ticks import round_ticks
 from studio.style.words import number, short_label
 
 PROSPECT_PITCH = 1.3
-"""From the left of a panel to that of the next."""
+"""How far the left of a panel is from that of the next."""
 
 WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.15, 1.4
 """Height of the lower part of a panel; where the upper part begins, and its height."""

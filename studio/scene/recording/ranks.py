@@ -17,7 +17,7 @@ from studio.style.palette import Theme
 from studio.style.words import number, short_label
 
 COLUMN_PITCH, ROW_PITCH, TALLEST_FIGURE = 2.0, 0.34, 2.4
-"""From column to column; from row to row where there is room; height of all rows at most."""
+"""Distance of columns, distance of rows where there is room, height of all rows at most."""
 
 HEADER = 0.36
 """How high above the first row the names of the teachers stand."""
@@ -68,7 +68,7 @@ def log_ranks(
 
 
 def row_pitch(actions: int) -> float:
-    """From one rank to the next among this many actions."""
+    """Distance of one rank from the next among this many actions."""
     return min(ROW_PITCH, TALLEST_FIGURE / actions)
 
 
