@@ -189,7 +189,7 @@ def _cover(boxes: FloatArray, points: FloatArray) -> BoolArray:
 
 
 class _Ink:
-    """How much is drawn in any box, quick to ask, of a canvas whose pixels [h, w] are so dark."""
+    """Sums of the darkness [h, w] of a canvas's pixels, 0 to 1, that make any box quick to ask."""
 
     def __init__(self, canvas: Canvas, darkness: FloatArray) -> None:
         self._sums: FloatArray = np.zeros(np.add(darkness.shape, 1))

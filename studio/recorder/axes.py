@@ -110,7 +110,7 @@ def linear(ticks: Sequence[float]) -> Scale:
     return Scale(tuple(ticks), tuple(number(tick) for tick in ticks))
 
 
-def pairs_scale(sizes: Sequence[int]) -> Scale:
+def sizes_scale(sizes: Sequence[int]) -> Scale:
     """A logarithmic scale of sizes, with a tick at each and words where there is room."""
     if len(sizes) == 1:
         return Scale((sizes[0] / 2.0, sizes[0], sizes[0] * 2.0), ("", str(sizes[0]), ""), True)

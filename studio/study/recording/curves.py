@@ -15,8 +15,8 @@ from studio.recorder.axes import (
     Scale,
     draw_key,
     key_left,
-    pairs_scale,
     ratio_scale,
+    sizes_scale,
 )
 from studio.recorder.drawing import Drawing
 from studio.study.recording import entities
@@ -74,7 +74,7 @@ class CurveFigure:
             for learner in results.learners
             if (curve := results.curve(column, teacher, learner)) is not None
         ]
-        return Axes(pairs_scale(results.sizes), self.scale(curves), HEIGHT)
+        return Axes(sizes_scale(results.sizes), self.scale(curves), HEIGHT)
 
 
 def regret_scale(curves: Sequence[Curve]) -> Scale:

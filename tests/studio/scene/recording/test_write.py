@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 import rerun as rr
-import rerun.blueprint as rrb
 from rerun.chunk import RrdReader
 
 from learners import value
@@ -29,7 +28,6 @@ from scenes import (
     Wall,
     scene_from_toml,
 )
-from studio.recorder.stream import recording_to
 from studio.scene.judgements import Judgement, judge, utilities
 from studio.scene.recording.outcomes import bin_edges
 from studio.scene.recording.pages import disagreements_page, summary_page
@@ -458,17 +456,6 @@ def test_size_stays_near_that_of_the_numbers(tmp_path: Path) -> None:
 def test_a_full_disk_is_an_error_and_not_a_file_cut_short(rollouts: Rollouts) -> None:
     with pytest.raises(OSError, match="No space left"):
         write_recording(Path("/dev/full"), rollouts, judge(rollouts))
-
-
-def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(tmp_path: Path) -> None:
-    rr.set_strict_mode(False)
-    path = tmp_path / "test.rrd"
-    with (
-        pytest.raises(ValueError, match="arrow"),
-        recording_to(path, "test", "test", rrb.Blueprint()) as stream,
-    ):
-        stream.log("thing", rr.AnyValues(unloggable=object()))
-    assert not path.exists()
 
 
 def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
