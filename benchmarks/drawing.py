@@ -29,7 +29,8 @@ from matplotlib.patches import Circle
 import scenes.reference  # noqa: F401  # imports pysocialforce, quietly and without matplotlib
 from scenes import META_ACTIONS, Rollouts, load_scene, simulate
 from scenes.scene import PEDESTRIAN_RADIUS
-from studio.painter.encode import write_gif, write_mp4
+from studio.painter.gif import write_gif
+from studio.painter.mp4 import write_mp4
 from studio.scene.judgements import Judgement, judge
 from studio.scene.picture.crowd import between
 from studio.scene.picture.film import compose_film
