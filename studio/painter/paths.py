@@ -90,7 +90,7 @@ class FaintPaths:
         counts = self._counts[part]
         if not counts.size:
             return pixels[part]
-        return tinted(pixels[part], self._colour, 1.0 - cv2.exp(counts * self._strength))
+        return tinted(pixels[part], self._colour, 1.0 - np.exp(counts * self._strength))
 
     def _count(self, line: NDArray[np.int32], box: list[int], trace: Trace) -> None:
         """Count what a line covers of a box that its trace does not cover already."""
