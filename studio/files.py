@@ -1,4 +1,4 @@
-"""Files: output that is whole or not there, and recordings that really are such."""
+"""Files: output that is written as a whole or not at all, and what a recording begins with."""
 
 import os
 import re
@@ -11,15 +11,15 @@ from studio.errors import InputError, RunError
 
 @contextmanager
 def replacing(*paths: Path, option: str = "--out") -> Iterator[list[Path]]:
-    """Temporary names beside the final ones, all moved into place when the block has succeeded.
+    """Temporary names beside the final ones; the files are moved there when the block succeeds.
 
-    A reader never finds half a file, and old files survive a failure or an interruption. Folders
-    are made as needed, and go again if nothing comes of it. That files can be written there is
-    found out before the block begins.
+    A reader never finds half a file, and old files survive a failure or an interruption. Missing
+    folders are made, and removed if the block fails. Whether the files can be written is found out
+    before the block begins.
 
     Args:
-        paths: of the files.
-        option: what messages call where these paths come from.
+        paths: where the files shall be.
+        option: by which the user named these paths, for messages.
 
     Raises:
         InputError: if a path is a folder, or its folder cannot be made or written to.
@@ -64,7 +64,7 @@ def _prepare(path: Path, part: Path, made: list[Path], option: str) -> None:
 
 
 def file_name(*words: str) -> str:
-    """A name for a file, without an ending, of words that may have any characters."""
+    """The name of a file, without an ending, made of words that may have any characters."""
     return "-".join(re.sub(r"[^\w.-]", "_", word) for word in words)
 
 

@@ -1,11 +1,11 @@
-"""What the studio says while it works: nothing, or lines and bars for a person."""
+"""What the studio says while it works: nothing, or lines and bars for a person to read."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
 
 PATIENCE = 4.0
-"""How long a person waits without a word, s."""
+"""How long a person is left without a word while waiting, s."""
 
 
 class Quiet:
@@ -13,12 +13,12 @@ class Quiet:
 
     @contextmanager
     def steps(self, what: str) -> Iterator[Callable[[int, int], None]]:  # noqa: ARG002
-        """Work that is counted; the block reports how many of how many steps are done."""
+        """Work in steps; the block calls what it gets with the numbers of steps done and in all."""
         yield lambda _done, _total: None
 
     @contextmanager
     def waiting(self, note: str) -> Iterator[None]:  # noqa: ARG002
-        """Work that may take long; who has to wait is told why."""
+        """Work that may take long; a person who has to wait is told why by the note."""
         yield
 
 

@@ -1,4 +1,7 @@
-"""Axes of plots: where values lie, the panel with its grid, and what is written around it."""
+"""Axes of plots: where values lie, the panel with its grid, and what is written around it.
+
+The panel of a plot is the box within which its marks lie, px.
+"""
 
 import math
 from collections.abc import Callable, Sequence
@@ -16,14 +19,7 @@ from studio.style.words import number
 
 @dataclass(frozen=True)
 class Axis:
-    """A linear axis from one value to another over a stretch of the page.
-
-    Attributes:
-        low: value at `start`.
-        high: value at `end`.
-        start: px.
-        end: px.
-    """
+    """A linear axis from the value `low` at `start` to the value `high` at `end`, in pixels."""
 
     low: float
     high: float
@@ -32,12 +28,12 @@ class Axis:
 
     def at(self, value: float) -> float:
         """Where a value lies, px; values off the axis lie at its end."""
-        share = (value - self.low) / (self.high - self.low)
-        return self.start + min(max(share, 0.0), 1.0) * (self.end - self.start)
+        return float(self.along(value))
 
-    def along(self, values: FloatArray) -> FloatArray:
+    def along(self, values: ArrayLike) -> FloatArray:
         """Where values lie, px; values off the axis lie at its end."""
-        shares = np.clip((values - self.low) / (self.high - self.low), 0.0, 1.0)
+        away = np.asarray(values, dtype=np.float64) - self.low
+        shares = np.clip(away / (self.high - self.low), 0.0, 1.0)
         pixels: FloatArray = self.start + shares * (self.end - self.start)
         return pixels
 
@@ -138,32 +134,28 @@ def labels_below(
         canvas: to draw on.
         panel: of the plot.
         at: where a value lies, px.
-        values: to write, ascending.
-        more: words that say what they are, in the middle if there is room.
+        values: ascending.
+        more: words that say what the values are, written in the middle if there is room.
 
     Returns:
         The box of the rightmost label.
     """
-    size, gap = canvas.type.small, 6 * canvas.unit
-    order = [*values[-1:], *values[:-1]]
-    texts = [(at(value), number(value)) for value in order]
+    size, gap, top = canvas.type.small, 6 * canvas.unit, panel.bottom + 0.2 * canvas.type.small
+    texts = [(at(value), number(value)) for value in (*values[-1:], *values[:-1])]
     if more:
-        texts.insert(min(2, len(texts)), (panel.centre[0], more))
+        texts.insert(2, (panel.centre[0], more))
     taken: list[Box] = []
-    top = panel.bottom + 0.2 * size
     for x, text in texts:
         half = canvas.measure(text, size) / 2
         centre = min(max(x, panel.left + half), panel.right - half)
         box = canvas.text_box((centre, top), text, size, anchor="centre", line="top")
         # a hair of rounding is not an overflow
         fits = panel.left - 1 <= box.left and box.right <= panel.right + 1
-        if fits and not any(box.overlaps(other) for other in taken):
+        around = Box(box.left - gap, box.top, box.right + gap, box.bottom)
+        if fits and not any(around.overlaps(other) for other in taken):
             canvas.text((centre, top), text, size, canvas.theme.faint, anchor="centre", line="top")
-            taken.append(Box(box.left - gap, box.top, box.right + gap, box.bottom))
-    rightmost = max(taken, key=lambda box: box.right, default=None)
-    return rightmost and Box(
-        rightmost.left + gap, rightmost.top, rightmost.right - gap, rightmost.bottom
-    )
+            taken.append(box)
+    return max(taken, key=lambda box: box.right, default=None)
 
 
 def labels_beside(
@@ -173,13 +165,9 @@ def labels_beside(
     size = canvas.type.small
     right, taken = panel.left - 6 * canvas.unit, list[Box]()
     for value in [*values[:1], *values[-1:], *values[1:-1]]:
-        half = 0.5 * size
         # inside of the plot's height: what is above and below belongs to others
-        middle = min(max(at(value), panel.top + half), panel.bottom - half)
-        box = canvas.text_box((right, middle), number(value), size, anchor="right")
+        place = right, min(max(at(value), panel.top + 0.5 * size), panel.bottom - 0.5 * size)
+        box = canvas.text_box(place, number(value), size, anchor="right")
         if not any(box.overlaps(other) for other in taken):
-            taken.append(
-                canvas.text(
-                    (right, middle), number(value), size, canvas.theme.faint, anchor="right"
-                )
-            )
+            canvas.text(place, number(value), size, canvas.theme.faint, anchor="right")
+            taken.append(box)

@@ -35,11 +35,11 @@ def write_gif(
     """Write segments as an animated GIF that starts over for ever.
 
     All frames share the palette of 256 colours that suits them best, without dithering. A frame
-    that looks like the one before only makes that one stand longer, the last one too.
+    that looks like the one before it is left out, and the one before it stands longer.
 
     Args:
         path: of the file.
-        segments: of the film, in order; their frames are made twice.
+        segments: of the film, in order; their frames are drawn twice.
         size: width and height of every frame, px; 64 to 1920, odd ones too.
         frames_per_second: whole, 1 to 50.
         progress: called after every frame of both rounds.
@@ -90,7 +90,7 @@ def _animation(
     size: tuple[int, int],
     frames_per_second: int,
 ) -> bytes:
-    """A GIF file of numbered frames, the last of them held for so many hundredths of a second."""
+    """A GIF file of numbered frames, the last of them held for `held` hundredths of a second."""
     inputs = [(*size, "rgb24"), (16, 16, "bgra")]
     graph = _graph("paletteuse", "dither=none", frames_per_second, inputs)
     graph.push(palette, 1)

@@ -14,16 +14,7 @@ from studio.style.palette import Colour
 from studio.style.places import choose_places, places_around, spread_apart
 
 _DIRECTIONS = 24
-_RINGS = (
-    0.0,
-    0.3,
-    0.6,
-    1.0,
-    1.5,
-    2.0,
-    3.0,
-    4.5,
-)  # distance from the thing, in heights of the label
+_RINGS = (0.0, 0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.5)  # distances, in heights of the label
 _COST_OF_INK = 12.0  # a label wholly on ink is as bad as this many heights of distance
 _COST_OF_SOLID_INK = 30.0  # and as this many more if the ink is as dark as text
 _SOLID = 0.42  # of black: people and walls; what is drawn fainter can be written over
@@ -40,7 +31,7 @@ class Label:
         text: the name.
         size: of type, px.
         weight: of type, 100 to 1000.
-        colour: of the letters.
+        colour: of the letters, and of a line to the thing.
         near: the point, px.
         reach: distance to keep from it, px.
         direction: where from the point the label would best be (dx, dy), px; of any length.
@@ -198,7 +189,7 @@ def _cover(boxes: FloatArray, points: FloatArray) -> BoolArray:
 
 
 class _Ink:
-    """How much is drawn in any box, quick to ask, of a canvas whose pixels [h, w] are so dark."""
+    """Sums of the darkness [h, w] of a canvas's pixels, 0 to 1, that make any box quick to ask."""
 
     def __init__(self, canvas: Canvas, darkness: FloatArray) -> None:
         self._sums: FloatArray = np.zeros(np.add(darkness.shape, 1))

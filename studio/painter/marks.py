@@ -11,56 +11,50 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.style.palette import Colour
 
-_BAND = 0.22
-"""How opaque a band is."""
+ICON_ROWS = 5
+"""How many icons stand one below the other in an icon array."""
+
+_BAND = 0.22  # how opaque a band is
 
 
 def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0) -> None:
-    """Draw a disc that a rim keeps apart from what is below; radius in units of the page."""
+    """Draw a disc that a rim keeps apart from what is below; its radius grows with the page."""
     canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
     canvas.disc((x, y), radius * canvas.unit, colour)
 
 
-def icon_columns(count: int, rows: int = 5) -> int:
-    """How many columns an icon array of so many icons in so many rows has."""
-    return math.ceil(count / rows)
-
-
-def icon_pitch(box: Box, count: int, rows: int = 5) -> float:
-    """Distance between the icons of an array of so many in so many rows, px.
+def icon_pitch(box: Box, count: int) -> float:
+    """Distance between the `count` icons of an array that fits into a box, px.
 
     It is 0 where icons would be too small to tell apart.
     """
-    pitch = min(box.width / icon_columns(count, rows), box.height / rows)
+    pitch = min(box.width / math.ceil(count / ICON_ROWS), box.height / ICON_ROWS)
     return pitch if pitch >= 3.0 else 0.0
 
 
-def draw_icons(
-    canvas: Canvas, box: Box, touched: int, count: int, colour: Colour, rows: int = 5
-) -> Box:
-    """Draw an icon array: one dot a rollout, those that touched something first and red.
+def draw_icons(canvas: Canvas, box: Box, touched: int, count: int, colour: Colour) -> Box:
+    """Draw an icon array of `count` dots, the `touched` first ones red, for contact.
 
     Where dots would be too small to tell apart, a bar stands for them that fills with red.
 
     Returns:
         The box that it takes up, at the left of the given one.
     """
-    columns, pitch = icon_columns(count, rows), icon_pitch(box, count, rows)
+    pitch, middle = icon_pitch(box, count), box.centre[1]
     if not pitch:
-        bar = Box(
-            box.left, box.centre[1] - 4 * canvas.unit, box.right, box.centre[1] + 4 * canvas.unit
-        )
+        bar = Box(box.left, middle - 4 * canvas.unit, box.right, middle + 4 * canvas.unit)
         canvas.fill(bar, canvas.theme.grid)
         if touched:
             share = max(bar.width * touched / count, 1.0)
             canvas.fill(Box(bar.left, bar.top, bar.left + share, bar.bottom), canvas.theme.contact)
         return bar
-    top = box.centre[1] - rows * pitch / 2
+    top = middle - ICON_ROWS * pitch / 2
     for index in range(count):
-        column, row = divmod(index, rows)
+        column, row = divmod(index, ICON_ROWS)
         centre = (box.left + (column + 0.5) * pitch, top + (row + 0.5) * pitch)
         canvas.disc(centre, 0.38 * pitch, canvas.theme.contact if index < touched else colour)
-    return Box(box.left, top, box.left + columns * pitch, top + rows * pitch)
+    width, height = math.ceil(count / ICON_ROWS) * pitch, ICON_ROWS * pitch
+    return Box(box.left, top, box.left + width, top + height)
 
 
 def draw_histogram(
@@ -72,20 +66,18 @@ def draw_histogram(
     colour: Colour,
     contact: BoolArray,
 ) -> None:
-    """Draw a histogram, scaled to its own peak, with the rollouts in contact red at the bottom.
+    """Draw a histogram, scaled to its own peak, with what had contact red at the bottom.
 
-    A dot marks the mean.
-
-    A bin that holds anything is at least a sliver high: rare outcomes are what matters here.
+    A dot marks the mean. A bin that holds anything is at least a sliver high: what is rare matters.
 
     Args:
         canvas: to draw on.
-        box: height of the plot, px.
+        box: whose height the plot takes up, px.
         axis: where values lie.
         values: [K]; those off the axis count in its first or last bin.
-        edges: [B + 1] edges of the bins.
+        edges: of the bins, [B + 1].
         colour: of the bars.
-        contact: [K], which rollouts touched something.
+        contact: which of the values had contact, [K].
     """
     inside = np.clip(values, edges[0], edges[-1])
     counts, _ = np.histogram(inside, edges)
@@ -100,9 +92,8 @@ def draw_histogram(
         bar = Box(left, box.bottom - height, max(right - gap, left + 1), box.bottom)
         canvas.fill(bar, colour)
         if red:
-            canvas.fill(
-                Box(bar.left, box.bottom - red_height, bar.right, box.bottom), canvas.theme.contact
-            )
+            red_bar = Box(bar.left, box.bottom - red_height, bar.right, box.bottom)
+            canvas.fill(red_bar, canvas.theme.contact)
     mean = (axis.at(float(inside.mean())), box.bottom)
     canvas.disc(mean, 4.5 * canvas.unit, canvas.theme.ground)
     canvas.disc(mean, 3.2 * canvas.unit, canvas.theme.ink)

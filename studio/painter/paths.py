@@ -78,8 +78,7 @@ class FaintPaths:
         Returns:
             The part of the canvas that looks different now.
         """
-        fixed = self._fixed(paths)
-        touched = self._touched(paths)
+        fixed, touched = fixed_point(paths - self._corner), self._touched(paths)
         for index, (line, box) in enumerate(zip(fixed, touched.tolist(), strict=True)):
             self._count(line, box, traces[index] if traces else _empty_trace(box))
         left, top = touched[:, :2].min(axis=0, initial=self._counts.size)
@@ -91,21 +90,20 @@ class FaintPaths:
         counts = self._counts[part]
         if not counts.size:
             return pixels[part]
-        return tinted(pixels[part], self._colour, 1.0 - cv2.exp(counts * self._strength))
+        return tinted(pixels[part], self._colour, 1.0 - np.exp(counts * self._strength))
 
     def _count(self, line: NDArray[np.int32], box: list[int], trace: Trace) -> None:
         """Count what a line covers of a box that its trace does not cover already."""
-        left, top, right, bottom = box
-        counts = self._counts[top:bottom, left:right]
-        if counts.size:
-            x, y = trace.left, trace.top
+        x, y, (height, width) = trace.left, trace.top, trace.mask.shape
+        # by rounding errors, a piece may reach over the whole
+        left, top = max(box[0], x), max(box[1], y)
+        right, bottom = min(box[2], x + width), min(box[3], y + height)
+        if left < right and top < bottom:
+            counts = self._counts[top:bottom, left:right]
             covered = trace.mask[top - y : bottom - y, left - x : right - x]
             before, local = covered.copy(), line - (np.array([left, top]) << SHIFT)
             cv2.polylines(covered, [local], False, 255, self._pen, cv2.LINE_AA, SHIFT)
             cv2.accumulate(cv2.subtract(covered, before), counts)
-
-    def _fixed(self, paths: FloatArray) -> NDArray[np.int32]:
-        return fixed_point(paths - self._corner)
 
     def _touched(self, paths: FloatArray) -> IntArray:
         """What paths [K, N, 2], px, touch of the canvas: left, top, right, bottom, [K, 4]."""

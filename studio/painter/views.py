@@ -25,20 +25,17 @@ class View:
 
     @classmethod
     def around(cls, bounds: Bounds, box: Box) -> "View":
-        """The largest view in the box that shows all of the bounds (x0, y0, x1, y1 in m)."""
+        """The largest view in the box that shows all of the bounds, m."""
         x0, y0, x1, y1 = bounds
         scale = min(box.width / (x1 - x0), box.height / (y1 - y0))
         return cls(box, scale, ((x0 + x1) / 2, (y0 + y1) / 2))
 
     @property
     def bounds(self) -> Bounds:
-        """What the box shows: x0, y0, x1, y1 in m."""
-        half_width, half_height = (
-            self.box.width / self.scale / 2,
-            self.box.height / self.scale / 2,
-        )
+        """What the box shows, m."""
         x, y = self.centre
-        return x - half_width, y - half_height, x + half_width, y + half_height
+        across, up = self.box.width / self.scale / 2, self.box.height / self.scale / 2
+        return x - across, y - up, x + across, y + up
 
     def to_pixels(self, points: ArrayLike) -> FloatArray:
         """Points in metres [..., 2] as pixels [..., 2]."""

@@ -1,4 +1,7 @@
-"""Axes that the figures of a study are drawn on: linear or logarithmic, on a page of width 1."""
+"""Axes that figures are drawn on: linear or logarithmic, on a page.
+
+The page is 1 wide, its lower left corner is (0, 0), and all lengths are in this unit.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -13,19 +16,16 @@ from studio.style.ticks import ratio_ticks
 from studio.style.words import number
 
 LIFT = 0.03
-"""How much higher than their places texts are put, in units of the page."""
+"""How much higher than their places texts are put."""
 
-KEY_STEP = 0.1
-"""Between the rows of a key, in units of the page."""
-
-KEY_INDENT = 0.14
-"""From the left of a key to its words, in units of the page."""
+KEY_STEP, KEY_INDENT = 0.1, 0.14
+"""From row to row of a key, and from its left to its words."""
 
 HALF_A_LETTER = 0.012
-"""Half the width that a letter usually takes, in units of the page."""
+"""Half the width that a letter usually takes."""
 
 ROOM_FOR_WORDS = 0.15
-"""Words at ticks that are closer than this are left out, in units of the page."""
+"""Words at ticks that are closer than this are left out."""
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,7 @@ class Scale:
 
 @dataclass(frozen=True)
 class Axes:
-    """What a figure is drawn on: a page of width 1.
-
-    Attributes:
-        x: the scale across.
-        y: the scale upwards.
-        height: of the page.
-    """
+    """What a figure is drawn on: a page with one scale across and one upwards."""
 
     x: Scale
     y: Scale
@@ -92,7 +86,7 @@ class Axes:
 
 
 def key_left(words: Iterable[str]) -> float:
-    """Where a key begins that shall end with the page on the right."""
+    """Where a key with these words begins, so that it ends where the page does."""
     longest = max(map(len, words))
     return max(0.2, min(0.6, 1.0 - KEY_INDENT - 2.0 * HALF_A_LETTER * longest))
 
@@ -100,7 +94,7 @@ def key_left(words: Iterable[str]) -> float:
 def draw_key(
     drawing: Drawing, entries: Iterable[tuple[str, Colour | None]], left: float, top: float
 ) -> None:
-    """Say what the lines stand for; what has no colour is the teacher's, dark and dashed."""
+    """Say what the lines stand for; what has no colour is the truth, dark and dashed."""
     for row, (words, colour) in enumerate(entries):
         y = top - KEY_STEP * row
         ends = np.array([(left, y), (left + 0.08, y)])
@@ -116,8 +110,8 @@ def linear(ticks: Sequence[float]) -> Scale:
     return Scale(tuple(ticks), tuple(number(tick) for tick in ticks))
 
 
-def pairs_scale(sizes: Sequence[int]) -> Scale:
-    """A logarithmic scale of numbers of pairs, with a tick at each."""
+def sizes_scale(sizes: Sequence[int]) -> Scale:
+    """A logarithmic scale of sizes, with a tick at each and words where there is room."""
     if len(sizes) == 1:
         return Scale((sizes[0] / 2.0, sizes[0], sizes[0] * 2.0), ("", str(sizes[0]), ""), True)
     scale = Scale(tuple(sizes), ("",) * len(sizes), True)

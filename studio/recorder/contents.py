@@ -1,4 +1,4 @@
-"""What a recording file holds, as arrays: the inverse of logging, for any recording."""
+"""What the file of a recording holds, as arrays: the inverse of logging, for any recording."""
 
 import warnings
 from collections import defaultdict

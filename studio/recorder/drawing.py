@@ -2,6 +2,9 @@
 
 Everything in a recording that has a name of its own costs about a kilobyte, however little it
 holds. A figure therefore is a single set of lines; its texts are labels of lines without length.
+
+A figure is drawn in metres, or on a page that is about 1 wide, and y counts upwards in it. Lengths
+are in the figure's unit, be that the metre or the page, unless they are said to be pixels.
 """
 
 from collections.abc import Sequence
@@ -24,13 +27,13 @@ OVERLAP = 1.6
 """Strokes that fill an area are this much wider than they are apart: less shows seams."""
 
 DOT_LENGTH = 1e-3
-"""A line of no length is not drawn, so dots are lines of this length, in the figure's units."""
+"""A line of no length is not drawn, so dots are lines of this length."""
 
 PAGE_RESOLUTION = 1.0 / 512.0
-"""Finer than can be seen on a page about as large as 1, and packs into less: see `log_world`."""
+"""Finer than can be seen on a page; places that are rounded to it pack into less of a file."""
 
 DASH, DASH_GAP = 0.03, 0.02
-"""Lengths of a dash and of the gap after it, in units of the page."""
+"""Lengths of a dash and of the gap after it, on a page."""
 
 
 @dataclass(frozen=True)
@@ -38,12 +41,12 @@ class Drawing:
     """Lines and texts that become one entity.
 
     Attributes:
-        lift: how much higher than their places texts are put, in the figure's units, because the
-            viewer hangs a label below its line.
-        resolution: places are rounded to multiples of this, in the figure's units; 0 leaves them.
-        lines: [N, 2] each, in the figure's units.
+        lift: how much higher than their places texts are put, because the viewer hangs a label
+            below its line.
+        resolution: places are rounded to multiples of this; 0 leaves them.
+        lines: [N, 2] each.
         colours: one a line.
-        radii: one a line, in the figure's units; negative in pixels, as Rerun has it.
+        radii: one a line; negative ones are in pixels, as Rerun has it.
         texts: the words and the place that they are centred on.
     """
 
@@ -55,11 +58,11 @@ class Drawing:
     texts: list[tuple[str, FloatArray]] = field(default_factory=list)
 
     def line(self, points: ArrayLike, colour: Colour, pixels: float = 1.4) -> None:
-        """Draw a line through points [N, 2], so many pixels wide however near one looks."""
+        """Draw a line through points [N, 2] that is as wide in pixels however near one looks."""
         self._add(points, colour, -pixels / 2.0)
 
     def stroke(self, points: ArrayLike, colour: Colour, width: float) -> None:
-        """Draw a line through points [N, 2] with a width in the figure's units."""
+        """Draw a line through points [N, 2] whose width grows as one looks nearer."""
         self._add(points, colour, width / 2.0)
 
     def fill(self, x: FloatArray, low: FloatArray, high: FloatArray, colour: Colour) -> None:
@@ -74,7 +77,7 @@ class Drawing:
         self.stroke(np.stack([np.repeat(x, 2), ends.ravel()], axis=-1), colour, 2.0 * radius)
 
     def dashes(self, points: FloatArray, colour: Colour, pixels: float = 1.4) -> None:
-        """Draw a dashed line through points [N, 2] of a page about as large as 1."""
+        """Draw a dashed line through points [N, 2] of a page."""
         along = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
         for start in np.arange(0.0, along[-1], DASH + DASH_GAP):
             end = min(start + DASH, along[-1])
@@ -83,7 +86,7 @@ class Drawing:
             self.line(np.stack([x, y], axis=-1), colour, pixels)
 
     def dot(self, place: Sequence[float], colour: Colour, pixels: float) -> None:
-        """Draw a disc so many pixels wide."""
+        """Draw a disc that is this many pixels wide however near one looks."""
         x, y = place
         self.line([(x - DOT_LENGTH / 2, y), (x + DOT_LENGTH / 2, y)], colour, pixels)
 

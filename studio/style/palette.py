@@ -51,14 +51,11 @@ class Theme:
     """The ground that things are drawn on, and the colours that depend on it.
 
     Attributes:
-        ground: the page.
-        panel: a plot on the page.
-        grid: grid lines.
-        faint: minor text and axes.
-        ink: text.
-        wall: walls.
-        pedestrian: people.
-        contact: touching a pedestrian or a wall, and nothing else.
+        ground: of the page.
+        panel: of a plot on the page.
+        faint: of minor text and axes.
+        ink: of text.
+        contact: of touching a pedestrian or a wall, and of nothing else.
         actions: names of all actions of the scene in their order, which gives them their colours;
             a drawing of only some of them shows these in the same colours.
     """
@@ -74,7 +71,7 @@ class Theme:
     actions: tuple[str, ...] = ()
 
     def of(self, actions: Iterable[str]) -> "Theme":
-        """The theme with colours for the actions of these names, unless it has them already."""
+        """The theme with a colour for each action of these names; itself if it has them already."""
         names = tuple(actions)
         return self if set(names) <= set(self.actions) else replace(self, actions=names)
 
@@ -83,7 +80,7 @@ class Theme:
         return ACTION_COLOURS[self.actions.index(name) % len(ACTION_COLOURS)]
 
     def legible(self, colour: Colour) -> Colour:
-        """The colour, shifted towards the ink just so far that small type in it can be read.
+        """The colour, shifted towards that of text until small type in it can be read.
 
         That takes a contrast of 4.5 to 1 with the ground ("Web Content Accessibility Guidelines").
         """
@@ -119,19 +116,19 @@ THEMES = {"light": LIGHT, "dark": DARK}
 
 
 def teacher_colour(name: str) -> Colour:
-    """The teacher's colour; a quiet one for one who has none."""
+    """The colour of a teacher; teachers without one of their own share a quiet one."""
     return TEACHER_COLOURS.get(name, OTHER_LEARNERS[-2])
 
 
 def learner_colour(name: str) -> Colour:
-    """The learner's colour: always the same one for the same name."""
+    """The colour of a learner, which depends on nothing but its name."""
     if name in LEARNER_COLOURS:
         return LEARNER_COLOURS[name]
     return OTHER_LEARNERS[sum(name.encode()) % len(OTHER_LEARNERS)]
 
 
 def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
-    """The colour as it looks through at this opacity (0 to 1) on the ground."""
+    """A colour as it looks on the ground if it is only as opaque as this, 0 to 1."""
     red, green, blue = (
         round(opacity * over + (1.0 - opacity) * under)
         for over, under in zip(colour, ground, strict=True)

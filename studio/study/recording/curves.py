@@ -15,8 +15,8 @@ from studio.recorder.axes import (
     Scale,
     draw_key,
     key_left,
-    pairs_scale,
     ratio_scale,
+    sizes_scale,
 )
 from studio.recorder.drawing import Drawing
 from studio.study.recording import entities
@@ -70,7 +70,7 @@ class CurveFigure:
         """What the figures of all teachers are drawn on."""
         columns = [self.column, *([self.truth] if self.truth else [])]
         curves = [curve for column in columns for curve in results.curves(column)]
-        return Axes(pairs_scale(results.sizes), self.scale(curves), HEIGHT)
+        return Axes(sizes_scale(results.sizes), self.scale(curves), HEIGHT)
 
 
 def regret_scale(curves: Sequence[Curve]) -> Scale:

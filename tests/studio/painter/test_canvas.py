@@ -7,11 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from studio.errors import InputError
-from studio.painter.axes import Axis
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.labels import Label, distance, place
-from studio.painter.marks import draw_icons
 from studio.painter.paths import draw_faint_paths
 from studio.painter.pixels import disc_coverage
 from studio.painter.views import View
@@ -188,54 +185,3 @@ def test_boxes_cut_into_columns_and_rows_share_the_room():
 
 def test_the_coverage_of_a_disc_sums_to_its_area():
     assert disc_coverage(10.2, 9.6, 5.0, 20, 20).sum() == pytest.approx(math.pi * 25, rel=0.01)
-
-
-def a_label(canvas, near, text="label", direction=(1.0, 0.0)):
-    return Label(text, 16, 400, BLACK, near, 8.0, direction)
-
-
-def test_labels_lie_near_their_things_apart_from_one_another_and_off_the_ink():
-    canvas = a_canvas()
-    canvas.fill(Box(310.0, 100.0, 640.0, 260.0), BLACK)
-    labels = [a_label(canvas, (300.0, 180.0 + 3 * shift), f"label {shift}") for shift in range(6)]
-    places = place(labels, canvas, canvas.box, WHITE)
-    for first, second in itertools.combinations(places, 2):
-        assert not first.overlaps(second)
-    for label, box in zip(labels, places, strict=True):
-        assert distance(box, label.near) < 130.0
-        assert canvas.clipped(box).pixels.min() == 255
-
-
-def test_labels_keep_off_the_points_that_are_to_be_seen():
-    canvas = a_canvas()
-    label, seen = a_label(canvas, (300.0, 180.0)), np.array([[320.0, 180.0]])
-    (covering,) = place([label], canvas, canvas.box, WHITE)
-    (aside,) = place([label], canvas, canvas.box, WHITE, seen)
-    assert distance(covering, (320.0, 180.0)) == 0.0
-    assert distance(aside, (320.0, 180.0)) > 0.0
-
-
-def test_a_label_lies_where_its_thing_points_to_if_that_is_free():
-    canvas = a_canvas()
-    (right,) = place([a_label(canvas, (300.0, 180.0))], canvas, canvas.box, WHITE)
-    (up,) = place([a_label(canvas, (300.0, 180.0), "up", (0.0, -1.0))], canvas, canvas.box, WHITE)
-    assert right.left > 300.0
-    assert up.bottom < 180.0
-
-
-def test_a_label_that_finds_no_room_is_left_out():
-    canvas = a_canvas()
-    assert place([a_label(canvas, (5.0, 5.0))], canvas, Box(0, 0, 20, 20), WHITE) == [None]
-
-
-def test_values_off_an_axis_lie_at_its_end():
-    axis = Axis(0.0, 2.0, 100.0, 200.0)
-    assert [axis.at(value) for value in (-1.0, 0.0, 1.0, 5.0)] == [100.0, 100.0, 150.0, 200.0]
-
-
-def test_an_icon_array_has_one_dot_a_rollout_and_the_touched_ones_in_red():
-    canvas = a_canvas()
-    draw_icons(canvas, Box(0.0, 0.0, 300.0, 150.0), 12, 50, (0, 0, 200))
-    reds = (canvas.pixels == (213, 43, 30)).all(axis=-1)
-    blues = (canvas.pixels == (0, 0, 200)).all(axis=-1)
-    assert reds.sum() / (reds.sum() + blues.sum()) == pytest.approx(12 / 50, abs=0.01)

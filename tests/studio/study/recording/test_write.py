@@ -31,8 +31,6 @@ from studio.recorder.axes import (
     Axes,
     Scale,
     linear,
-    pairs_scale,
-    ratio_scale,
 )
 from studio.study.recording.curves import AGREEMENT_CURVES, REGRET_CURVES
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
@@ -463,20 +461,6 @@ def test_ticks_of_the_best_action_found_are_fine_where_the_data_are(lowest: floa
     assert ticks[0] <= lowest + 1e-9
     assert 2 <= len(ticks) <= 11
     assert ticks[1] - ticks[0] < max(0.011, (1.0 - lowest) / 3.0)
-
-
-@pytest.mark.parametrize(("low", "high"), [(0.01, 0.03), (0.4, 20.0), (1.0, 1.0), (30.0, 100.0)])
-def test_ratio_scales_hold_everything(low: float, high: float) -> None:
-    scale = ratio_scale(low, high)
-    assert scale.ticks[0] <= low
-    assert scale.ticks[-1] >= high
-    np.testing.assert_allclose(scale([scale.ticks[0], scale.ticks[-1]]), [0.0, 1.0])
-
-
-def test_crowded_ticks_leave_out_words_but_never_the_last() -> None:
-    scale = pairs_scale(range(1, 101))
-    assert scale.words[-1] == "100"
-    assert 3 <= sum(bool(words) for words in scale.words) <= 8
 
 
 def test_functions_are_cut_where_they_leave_the_page() -> None:
