@@ -157,12 +157,12 @@ class Studio:
                 (`scenes.InputError`), or the folder cannot be written to.
         """
         from scenes import META_ACTIONS
-        from studio.comparison.comparison import check_two, compare
+        from studio.comparison.comparison import check_two, side_by_side
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
         with self._recording(file_name(found.name, one, other), png, mp4) as (part, files):
-            comparison = compare(self._simulate(found, seed, settings), one, other, seed)
+            comparison = side_by_side(self._simulate(found, seed, settings), one, other, seed)
 
             from studio.comparison.recording.write import write_comparison_recording
             from studio.scene.judgements import judge

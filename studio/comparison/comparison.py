@@ -68,7 +68,7 @@ def check_two(one: str, other: str, known: Sequence[str]) -> None:
         raise InputError(f"actions: {one!r} twice: two different ones are needed")
 
 
-def compare(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparison:
+def side_by_side(rollouts: Rollouts, one: str, other: str, seed: int = 0) -> Comparison:
     """Put two actions of a scene side by side.
 
     Which one comes to the left is random, so that no preference for a side passes for one for an

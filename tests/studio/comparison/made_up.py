@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
-from studio.comparison.comparison import compare
+from studio.comparison.comparison import side_by_side
 
 SIZE = (640, 360)
 NAMES = ("forward", "slow_down")
@@ -27,7 +27,7 @@ def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES,
         MetaAction(names[1], 0.5, 0.0),
     )
     simulated = simulate(scene, actions, rollouts=rollouts, horizon=horizon)
-    comparison = compare(simulated, *names, seed=1)
+    comparison = side_by_side(simulated, *names, seed=1)
     if contact is None:
         return comparison
     steps = np.where(np.array(contact), 2, -1)

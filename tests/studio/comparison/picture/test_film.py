@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from scenes import Pedestrian, Robot, Scene, simulate
-from studio.comparison.comparison import compare
+from studio.comparison.comparison import side_by_side
 from studio.comparison.picture.film import (
     Pace,
     compose_comparison_film,
@@ -29,7 +29,7 @@ from tests.studio.comparison.made_up import NAMES, SIZE, a_comparison
 def test_who_stands_on_the_goal_does_not_hide_it(draw):
     standing = Pedestrian((1.5, 0.0), (1.5, 0.0), desired_speed=0.0)
     scene = Scene("a-scene", Robot((0.0, 0.0), (1.5, 0.0)), (standing,))
-    page = lay_out_comparison(compare(simulate(scene, rollouts=1, horizon=0.5), *NAMES), SIZE)
+    page = lay_out_comparison(side_by_side(simulate(scene, rollouts=1, horizon=0.5), *NAMES), SIZE)
     canvas = draw(page)
     for view in page.views:
         x, y = view.to_pixels((1.5, 0.0)).astype(int)

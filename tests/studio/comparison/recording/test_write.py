@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from scenes import MetaAction, Pedestrian, Robot, Scene, Wall, scene_from_toml, simulate
-from studio.comparison.comparison import QUESTION, compare
+from studio.comparison.comparison import QUESTION, side_by_side
 from studio.comparison.recording.write import write_comparison_recording
 from studio.scene.judgements import judge
 from studio.style.palette import ACTION_COLOURS, LIGHT
@@ -36,7 +36,7 @@ def a_comparison(people=2, rollouts=4, horizon=0.5, names=("forward", "slow_down
         MetaAction(names[0], 1.0, 0.0),
         MetaAction(names[1], 0.5, 0.0),
     )
-    comparison = compare(simulate(scene, actions, rollouts=rollouts, horizon=horizon), *names)
+    comparison = side_by_side(simulate(scene, actions, rollouts=rollouts, horizon=horizon), *names)
     contact_step = np.full((2, rollouts), -1)
     contact_step[0, ::2] = 1
     return replace(comparison, rollouts=replace(comparison.rollouts, contact_step=contact_step))
