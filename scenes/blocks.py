@@ -155,11 +155,7 @@ def _add_group(
         else:
             ax, ay = forces.coherence_as_in_library(cx / size, cy / size, size)
         bx, by = forces.gaze(
-            block.ex[i, lane],
-            block.ey[i, lane],
-            block.distance[i, lane],
-            cx / others,
-            cy / others,
+            block.ex[i, lane], block.ey[i, lane], block.distance[i, lane], cx / others, cy / others
         )
         fx[lane] += p.coherence_factor * ax + p.gaze_factor * bx
         fy[lane] += p.coherence_factor * ay + p.gaze_factor * by

@@ -23,10 +23,7 @@ MOMENT = 4.0
 
 
 def scene_from_tracks(
-    path: Path,
-    frame: int,
-    robot_start: Position | None = None,
-    robot_goal: Position | None = None,
+    path: Path, frame: int, robot_start: Position | None = None, robot_goal: Position | None = None
 ) -> Scene:
     """Read a recording and make a scene of one of its moments.
 

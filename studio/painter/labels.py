@@ -130,10 +130,7 @@ def place(
 
 
 def end_labels(
-    canvas: Canvas,
-    left: float,
-    column: Box,
-    labels: Sequence[tuple[float, Sequence[str], Colour]],
+    canvas: Canvas, left: float, column: Box, labels: Sequence[tuple[float, Sequence[str], Colour]]
 ) -> None:
     """Write names beside the ends of lines, moved apart where they would touch.
 

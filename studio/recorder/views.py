@@ -50,10 +50,7 @@ def opening(
 
 
 def drawn_view(
-    contents: Iterable[str],
-    bounds: Bounds,
-    title: str,
-    overrides: Overrides | None = None,
+    contents: Iterable[str], bounds: Bounds, title: str, overrides: Overrides | None = None
 ) -> rrb.View:
     """A view of drawn things on light ground.
 

@@ -51,7 +51,7 @@ def how_to_make_again(
     if command is None:
         told = [
             "No command does this: its actions, limits, step or angles are special. Simulate the "
-            "scene below from Python with the settings that the properties of the recording hold.",
+            "scene below from Python with the settings that the properties of the recording hold."
         ]
     else:
         told = [f"Save the scene below as `{name}.toml`, then run", "", "```sh", command, "```"]

@@ -23,10 +23,7 @@ def test_no_segments_give_no_distances() -> None:
 @settings(deadline=None, derandomize=True)
 @given(points, points, points, st.floats(0, 1))
 def test_no_point_of_the_segment_is_nearer(
-    place: tuple[float, float],
-    start: tuple[float, float],
-    end: tuple[float, float],
-    share: float,
+    place: tuple[float, float], start: tuple[float, float], end: tuple[float, float], share: float
 ) -> None:
     if np.hypot(end[0] - start[0], end[1] - start[1]) < 0.1:
         return

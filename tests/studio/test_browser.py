@@ -254,10 +254,7 @@ def test_a_browser_shows_the_film_that_was_drawn(browser, tmp_path):
     ],
 )
 def test_a_light_page_shows_a_recording(browser, kind, colours, request):
-    with (
-        web_viewer(request.getfixturevalue(kind), "light") as address,
-        browser(*WEBGL) as page,
-    ):
+    with web_viewer(request.getfixturevalue(kind), "light") as address, browser(*WEBGL) as page:
         page.open(address)
         until = time.monotonic() + PATIENCE
         picture = page.screenshot()

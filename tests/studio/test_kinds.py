@@ -86,10 +86,7 @@ def test_teachers_of_ones_own_are_read_back_in_their_order(
     rollouts: Rollouts, tmp_path: Path
 ) -> None:
     values = np.arange(7.0)
-    own = (
-        Judgement("zoë", PROFILES["tk"], values),
-        Judgement("adam", PROFILES["eu"], -values),
-    )
+    own = (Judgement("zoë", PROFILES["tk"], values), Judgement("adam", PROFILES["eu"], -values))
     write_recording(tmp_path / "own.rrd", rollouts, own)
     assert [each.teacher for each in read_scene(tmp_path / "own.rrd").judgements] == ["zoë", "adam"]
 

@@ -87,11 +87,7 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
 
 
 def log_count(
-    stream: rr.RecordingStream,
-    path: str,
-    contact: BoolArray,
-    left: float,
-    theme: Theme,
+    stream: rr.RecordingStream, path: str, contact: BoolArray, left: float, theme: Theme
 ) -> None:
     """Say right of the icons which outcome plays, and count those so far with contact."""
     count, middle = len(contact), left + COUNT_WIDTH / 2

@@ -20,7 +20,7 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
     command = command_again(["studio", "compare", *rollouts.names], rollouts)
     settings = [
         f"The seed also chooses the sides, here {comparison.seed}. All other settings are "
-        "properties of the recording.",
+        "properties of the recording."
     ]
     return "\n".join(
         [

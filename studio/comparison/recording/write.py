@@ -22,10 +22,7 @@ from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
 from studio.scene.recording.blueprint import VIEW_SHAPE, world_view
-from studio.scene.recording.write import (
-    identity,
-    log_simulation,
-)
+from studio.scene.recording.write import identity, log_simulation
 from studio.style.palette import LIGHT
 from studio.style.words import action_label, counted, short_label
 

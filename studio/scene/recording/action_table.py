@@ -31,10 +31,7 @@ GOLDEN_RATIO = 0.618034
 
 
 def log_action_table(
-    stream: rr.RecordingStream,
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    theme: Theme,
+    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...], theme: Theme
 ) -> None:
     """Draw the table: a row an action, a column a feature and a teacher.
 

@@ -69,11 +69,7 @@ def leader(end: FloatArray, middle: FloatArray, half: FloatArray) -> FloatArray:
 
 
 def label_places(
-    labels: tuple[str, ...],
-    ends: FloatArray,
-    ways: FloatArray,
-    walls: FloatArray,
-    bounds: Bounds,
+    labels: tuple[str, ...], ends: FloatArray, ways: FloatArray, walls: FloatArray, bounds: Bounds
 ) -> FloatArray:
     """The middle of each label: nearest to the end of what it names, and where little else is.
 

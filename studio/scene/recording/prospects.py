@@ -38,10 +38,7 @@ LONGEST_TITLE = 14
 
 
 def log_prospects(
-    stream: rr.RecordingStream,
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    theme: Theme,
+    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...], theme: Theme
 ) -> None:
     """Draw a panel an action: its outcomes from the worst to the best, and what each counts.
 

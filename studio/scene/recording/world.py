@@ -34,12 +34,7 @@ def log_world(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, th
     # without names, which the viewer would write beside every robot where there are few
     colours = [theme.contact, *(theme.action_colour(name) for name in rollouts.names)]
     classes = [rr.AnnotationInfo(number, color=colour) for number, colour in enumerate(colours)]
-    stream.log(
-        entities.WORLD,
-        y_upwards(),
-        rr.AnnotationContext(classes),
-        static=True,
-    )
+    stream.log(entities.WORLD, y_upwards(), rr.AnnotationContext(classes), static=True)
     stream.log(
         entities.GRID,
         rr.LineStrips2D(

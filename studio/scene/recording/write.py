@@ -106,10 +106,7 @@ def log_simulation_properties(
 
 
 def log_figures(
-    stream: rr.RecordingStream,
-    rollouts: Rollouts,
-    judgements: tuple[Judgement, ...],
-    theme: Theme,
+    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...], theme: Theme
 ) -> None:
     """Draw all figures."""
     stream.log(entities.FIGURES, y_upwards(), static=True)

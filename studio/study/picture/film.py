@@ -11,12 +11,7 @@ import pyarrow as pa
 from learners import Teacher
 from studio.arrays import PixelArray
 from studio.painter.segments import Segment
-from studio.study.picture.page import (
-    SIZE,
-    StudyPage,
-    draw_stage,
-    lay_out_study,
-)
+from studio.study.picture.page import SIZE, StudyPage, draw_stage, lay_out_study
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import LIGHT, Theme
 
@@ -51,10 +46,7 @@ def compose_study_film(
     length, last_length = (
         round(seconds * frames_per_second) for seconds in (STAGE_LENGTH, LAST_STAGE_LENGTH)
     )
-    return [
-        *(_segment(page, stage, length) for stage in stages),
-        _segment(page, last, last_length),
-    ]
+    return [*(_segment(page, stage, length) for stage in stages), _segment(page, last, last_length)]
 
 
 def _segment(page: StudyPage, stage: Stage, length: int) -> Segment:

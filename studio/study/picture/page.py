@@ -41,10 +41,7 @@ _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights
 
 
 def compose_study_picture(
-    table: pa.Table,
-    teachers: Sequence[Teacher],
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
+    table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE, theme: Theme = LIGHT
 ) -> Canvas:
     """Draw the picture of a study.
 

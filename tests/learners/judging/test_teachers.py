@@ -3,15 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from learners import (
-    PROFILES,
-    REWARD,
-    TEACHERS,
-    InputError,
-    Teacher,
-    find_teachers,
-    prospect_value,
-)
+from learners import PROFILES, REWARD, TEACHERS, InputError, Teacher, find_teachers, prospect_value
 
 TK = TEACHERS["tk"]
 

@@ -21,11 +21,7 @@ def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES,
         walls=(Wall((-2.0, 3.0), (7.0, 3.0)),),
         groups=((0, 1),) if people > 1 else (),
     )
-    actions = (
-        MetaAction(names[0], 1.0, 0.0),
-        *META_ACTIONS[2:4],
-        MetaAction(names[1], 0.5, 0.0),
-    )
+    actions = (MetaAction(names[0], 1.0, 0.0), *META_ACTIONS[2:4], MetaAction(names[1], 0.5, 0.0))
     simulated = simulate(scene, actions, rollouts=rollouts, horizon=horizon)
     comparison = side_by_side(simulated, *names, seed=1)
     if contact is None:

@@ -4,9 +4,7 @@ import numpy as np
 import pytest
 
 from studio.comparison.dots import DotMeasure, DotScale, dot_measures
-from studio.comparison.picture.page import (
-    lay_out_comparison,
-)
+from studio.comparison.picture.page import lay_out_comparison
 from studio.painter.boxes import Box
 from tests.studio.comparison.made_up import SIZE, a_comparison
 

@@ -56,11 +56,7 @@ def test_round_ticks_hold_everything_and_are_few(low, high):
 
 @pytest.mark.parametrize(
     ("low", "high", "found"),
-    [
-        (0.02, 90.0, [0.1, 1.0, 10.0]),
-        (0.2, 9.0, [0.3, 1.0, 3.0]),
-        (1.0, 5.0, [1.0, 2.0, 5.0]),
-    ],
+    [(0.02, 90.0, [0.1, 1.0, 10.0]), (0.2, 9.0, [0.3, 1.0, 3.0]), (1.0, 5.0, [1.0, 2.0, 5.0])],
 )
 def test_decades_get_finer_where_there_are_few(low, high, found):
     assert decades(low, high) == found

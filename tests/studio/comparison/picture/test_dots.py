@@ -15,10 +15,7 @@ def test_icons_fill_up_from_both_ends_and_have_room(count):
         canvas = Canvas(640, 360, LIGHT)
         array.draw(canvas, touched, others, (0, 0, 200))
         middles = [
-            canvas.pixels[
-                int(array.box.top + down),
-                int(array.box.left + across),
-            ]
+            canvas.pixels[int(array.box.top + down), int(array.box.left + across)]
             for across, down in array.grid.places()
         ]
         red = [bool((middle == LIGHT.contact).all()) for middle in middles]

@@ -12,10 +12,7 @@ from studio.comparison.picture.film import (
     play_outcomes,
     scenes_at_rest,
 )
-from studio.comparison.picture.page import (
-    compose_comparison_picture,
-    lay_out_comparison,
-)
+from studio.comparison.picture.page import compose_comparison_picture, lay_out_comparison
 from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.style.palette import LIGHT

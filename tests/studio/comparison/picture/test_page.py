@@ -3,10 +3,7 @@ import numpy as np
 import pytest
 
 from studio.comparison.comparison import QUESTION
-from studio.comparison.picture.page import (
-    compose_comparison_picture,
-    lay_out_comparison,
-)
+from studio.comparison.picture.page import compose_comparison_picture, lay_out_comparison
 from studio.style.palette import DARK, LIGHT
 from tests.canvases import check_texts, red_pixels, texts
 

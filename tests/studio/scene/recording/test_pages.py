@@ -30,10 +30,7 @@ def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> P
 
 def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts) -> None:
     eu, tk, _ = judge(rollouts)
-    eu, tk = (
-        replace(eu, values=np.array([0.3, 0.1])),
-        replace(tk, values=np.array([0.1, 0.35])),
-    )
+    eu, tk = (replace(eu, values=np.array([0.3, 0.1])), replace(tk, values=np.array([0.1, 0.35])))
     page = disagreements_page(rollouts, (eu, tk))
     assert "| EU, T&K | 1 | 0.250 |" in page
     assert "| EU prefers | T&K prefers |" in page

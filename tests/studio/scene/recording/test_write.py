@@ -9,13 +9,7 @@ import pytest
 import rerun as rr
 
 from learners import value
-from scenes import (
-    FEATURES,
-    META_ACTIONS,
-    MetaAction,
-    Rollouts,
-    scene_from_toml,
-)
+from scenes import FEATURES, META_ACTIONS, MetaAction, Rollouts, scene_from_toml
 from studio.scene.judgements import Judgement, judge, utilities
 from studio.scene.recording.write import SCHEMA_VERSION, write_recording
 from studio.style.palette import ACTION_COLOURS, LIGHT
@@ -236,13 +230,7 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
         *blueprint["ContainerBlueprint:display_name"],
         *blueprint["ViewBlueprint:display_name"],
     }
-    assert {
-        "Overview",
-        "Prospects",
-        "Minds",
-        "About",
-        *map(action_label, rollouts.names),
-    } <= names
+    assert {"Overview", "Prospects", "Minds", "About", *map(action_label, rollouts.names)} <= names
 
 
 @pytest.mark.parametrize(

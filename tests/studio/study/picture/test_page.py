@@ -10,11 +10,7 @@ from learners import PARAMETER_COLUMNS, PROFILES, TEACHERS, Teacher
 from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.study.picture.film import compose_study_film
-from studio.study.picture.page import (
-    compose_study_picture,
-    draw_stage,
-    lay_out_study,
-)
+from studio.study.picture.page import compose_study_picture, draw_stage, lay_out_study
 from studio.study.results import StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
 from tests.studio.study.tables import THREE, study_table

@@ -27,11 +27,7 @@ from learners import (
     value,
     weight,
 )
-from studio.recorder.axes import (
-    Axes,
-    Scale,
-    linear,
-)
+from studio.recorder.axes import Axes, Scale, linear
 from studio.study.recording.curves import AGREEMENT_CURVES, REGRET_CURVES
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
 from studio.study.recording.minds import value_figure, visible
