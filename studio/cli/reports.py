@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from learners import learning_curves
 from scenes import FAMILIES, PATTERNS
 from studio.comparison.comparison import SIDES
+from studio.style.words import action_label
 
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
@@ -50,7 +51,7 @@ def recorded_report(recorded: Recorded) -> list[str]:
             f"{judgement.values[index]:>10.3f}{'*' if judgement.best == index else ' '}"
             for judgement in judgements
         )
-        lines.append(f"{name:<16}{contacts:>10} {values}")
+        lines.append(f"{action_label(name):<16}{contacts:>10} {values}")
     lines.append("* the action that this teacher would pick")
     return lines + files_report(recorded.files)
 
@@ -59,7 +60,7 @@ def compared_report(compared: Compared) -> list[str]:
     """Which action is on which side, and its contacts."""
     rollouts = compared.comparison.rollouts
     lines = [
-        f"{side}  {name:<16}{touched.sum()} of {rollouts.count} with contact"
+        f"{side}  {action_label(name):<16}{touched.sum()} of {rollouts.count} with contact"
         for side, name, touched in zip(SIDES, rollouts.names, rollouts.touched, strict=True)
     ]
     return lines + files_report(compared.files)
