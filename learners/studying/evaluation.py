@@ -56,8 +56,8 @@ def evaluate(
     """Measure learnt values of prospects [S, A] against the truth, their values to the teacher.
 
     The learner picks the action of the highest learnt value, the first of equal ones. If in no
-    scene any action is better than another, the regret is 0 %. The learner takes choices to have
-    `beta`; that of the teacher is the same if it is left out.
+    scene any action is better than another, the regret is 0 %. `beta` is the β that the learner
+    takes choices to have, `teacher_beta` that of the teacher; the same if left out.
     """
     best = truth.max(axis=1)
     picks = values.argmax(axis=1)

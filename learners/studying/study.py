@@ -18,7 +18,7 @@ import pyarrow as pa
 from learners.arrays import FloatArray
 from learners.asking.preferences import answer, sample_pairs
 from learners.asking.prospects import Prospects
-from learners.fitting.fits import Fit, Learner
+from learners.fitting.fits import Learner
 from learners.fitting.registry import find_learners
 from learners.judging.teachers import Teacher, find_teachers
 from learners.studying.evaluation import evaluate
@@ -102,37 +102,31 @@ def _row(study: Study, task: Task) -> dict[str, Any]:
     fit = learner.fit(study.prospects, preferences, teacher.beta)
     learnt = fit.values(study.prospects.features[split.held_out])
     test = evaluate(learnt, truth[split.held_out], teacher.beta)
+    numbers = fit.parameters.numbers if fit.parameters else [None] * len(PARAMETER_COLUMNS)
     return {
         **task._asdict(),
         "regret": test.regret,
         "regret_percent": test.regret_percent,
         "nll": test.nll,
         "certainty": preferences.certainty,
-        **_learnt(fit),
+        "theta": fit.theta.tolist(),
+        **dict(zip(PARAMETER_COLUMNS, numbers, strict=True)),
+        "reference": fit.reference,
+        "theta_unit": fit.unit_theta.tolist(),
         "theta_cosine": _cosine(fit.theta, np.array(teacher.reward)),
         "agreement": test.agreement,
         "nll_teacher": test.nll_teacher,
+        "nll_training": fit.nll,
         "repeated": preferences.repeated,
+        "converged": fit.converged,
+        "steps": fit.steps,
+        "expected_decrease": fit.expected_decrease,
         "calibration_count": test.calibration.count.tolist(),
         "calibration_predicted": _null_where_nan(test.calibration.predicted),
         "calibration_preferred": _null_where_nan(test.calibration.preferred),
         "held_out_scenes": study.prospects.scenes[split.held_out].tolist(),
         "scene_regret": test.scene_regret.tolist(),
         "scene_picks": [study.prospects.actions[place] for place in test.scene_picks],
-    }
-
-
-def _learnt(fit: Fit) -> dict[str, Any]:
-    numbers = fit.parameters.numbers if fit.parameters else [None] * len(PARAMETER_COLUMNS)
-    return {
-        "theta": fit.theta.tolist(),
-        **dict(zip(PARAMETER_COLUMNS, numbers, strict=True)),
-        "reference": fit.reference,
-        "theta_unit": fit.unit_theta.tolist(),
-        "nll_training": fit.nll,
-        "converged": fit.converged,
-        "steps": fit.steps,
-        "expected_decrease": fit.expected_decrease,
     }
 
 
