@@ -83,11 +83,7 @@ def finite_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
 
 
 def positive_array(field: str, given: NumbersOrTensor, xp: ModuleType) -> Array:
-    """The given parameter as a float64 array of a namespace.
-
-    Raises:
-        InputError: if it is not finite and above 0.
-    """
+    """Like `finite_array`; raises `InputError` also if a number is not above 0."""
     array = finite_array(field, given, xp)
     lowest = array.min().item()
     if lowest <= 0.0:

@@ -9,11 +9,7 @@ Thing = TypeVar("Thing")
 
 
 def check_name(field: str, name: object, known: Collection[str]) -> None:
-    """Make sure that a name is one of those that are known.
-
-    Raises:
-        InputError: if it is not; the message names the field and all that is known.
-    """
+    """Raise `InputError`, which tells the field and all that is known, if a name is unknown."""
     if name not in known:
         raise InputError(f"{field} {name!r} is not allowed: {', '.join(known)}")
 

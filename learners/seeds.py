@@ -18,11 +18,7 @@ class Stream(IntEnum):
 
 
 def generator(seed: int, stream: Stream) -> np.random.Generator:
-    """The random numbers of one stream.
-
-    Raises:
-        InputError: if the seed is negative.
-    """
+    """The random numbers of one stream; raises `InputError` if the seed is negative."""
     if seed < 0:
         raise InputError(f"seed {seed} is not allowed: 0 or more")
     return np.random.default_rng([seed, stream])

@@ -62,13 +62,8 @@ def sample_pairs(
 
     No pair is drawn a second time before all pairs were drawn once. If more pairs are asked for
     than there are, all are drawn again in another order, and `Pairs.repeated` counts the
-    repetitions. A longer series of the same seed begins with the shorter one.
-
-    Args:
-        prospects: the scenes and actions.
-        count: how many pairs, 1 or more.
-        seed: which series, 0 or more.
-        scenes: places of the scenes to ask about, such as `Split.training`; all if left out.
+    repetitions. A longer series of the same seed begins with the shorter one. Only the scenes at
+    the places `scenes`, such as `Split.training`, are asked about; all if they are left out.
 
     Raises:
         InputError: if the count or the seed is out of range.
@@ -82,8 +77,8 @@ def sample_pairs(
     random = generator(seed, Stream.PAIRS)
     rounds = [random.permutation(distinct) for _ in range(-(-count // distinct))]
     drawn = np.concatenate(rounds)[:count]
-    is_swapped = generator(seed, Stream.SIDES).random(count) < 0.5
     first, second = there.first[drawn], there.second[drawn]
+    is_swapped = generator(seed, Stream.SIDES).random(count) < 0.5
     return Pairs(
         scenes=scenes[there.scenes[drawn]],
         first=np.where(is_swapped, second, first),
@@ -96,12 +91,7 @@ def first_log_odds(values: FloatArray, pairs: Pairs, beta: float) -> FloatArray:
     """Logarithm of the odds that the first of two is preferred, β(V_first − V_second), [N].
 
     This is the model of Bradley and Terry ("Rank Analysis of Incomplete Block Designs",
-    Biometrika 39, 1952) with merits exp(βV).
-
-    Args:
-        values: [S, A], V of every prospect.
-        pairs: the questions.
-        beta: β, how decided the answers are.
+    Biometrika 39, 1952) with merits exp(βV); `values` are V of every prospect, [S, A].
     """
     return beta * (values[pairs.scenes, pairs.first] - values[pairs.scenes, pairs.second])
 
@@ -117,12 +107,6 @@ def ask(teacher: Teacher, prospects: Prospects, pairs: Pairs, seed: int) -> Pref
 
     The answer to question n depends on the teacher, the question, the seed and n only. So a longer
     series begins with the answers of the shorter one, and teachers who think alike answer alike.
-
-    Args:
-        teacher: the teacher who answers.
-        prospects: the prospects that the pairs are about.
-        pairs: the questions.
-        seed: decides what is random in the answers, 0 or more.
     """
     return answer(teacher.values(prospects.features), pairs, teacher.beta, seed)
 

@@ -1,6 +1,6 @@
 """The prospects of many scenes, read from an outcome bank."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -75,9 +75,10 @@ class Prospects:
 
     def take(self, places: Sequence[int] | IntArray) -> "Prospects":
         """The prospects of the scenes at these places, in that order."""
+        chosen = np.asarray(places, dtype=np.int64)
         return Prospects(
-            self.features[np.asarray(places, dtype=np.int64)],
-            self.scenes[np.asarray(places, dtype=np.int64)],
+            self.features[chosen],
+            self.scenes[chosen],
             tuple(self.families[place] for place in places),
             tuple(self.patterns[place] for place in places),
             self.actions,
@@ -95,68 +96,70 @@ def read_bank(path: Path | str) -> Prospects:
             missing or not finite, there is one action only, scenes differ in their actions or
             prospects in their numbers of rollouts, or a rollout stands there twice.
     """
-    table = _read_columns(Path(path))
-    for complaint in _complaints(table):
-        raise InputError(f"outcomes: {path}: {complaint}")
-
-    scene, rollout = (table[name].to_numpy() for name in _NUMBERS)
-    scenes, scene_place = np.unique(scene, return_inverse=True)
-    names = table["action"].combine_chunks().dictionary_encode()
-    actions = tuple(names.dictionary.to_pylist())
-    action_place = names.indices.to_numpy()
-    order = np.lexsort((rollout, action_place, scene_place))
-    counts = np.bincount(
-        scene_place * len(actions) + action_place, minlength=len(scenes) * len(actions)
-    )
-    if counts.min() != counts.max():
-        place = int(np.argmin(counts))
-        raise InputError(
-            f"outcomes: {path}: scene {scenes[place // len(actions)]} has {counts.min()} rollouts "
-            f"of {actions[place % len(actions)]}, others have {counts.max()}: "
-            "the same number everywhere is allowed"
-        )
-    shape = (len(scenes), len(actions), int(counts[0]))
-    sorted_rollouts = rollout[order].reshape(shape)
-    if (np.diff(sorted_rollouts, axis=-1) == 0).any():
-        raise InputError(
-            f"outcomes: {path}: a rollout of a scene and an action stands there twice: "
-            "each once is allowed"
-        )
-    features = np.stack([table[name].to_numpy() for name in FEATURES], axis=-1)
-    first = order.reshape(shape)[:, 0, 0]
+    columns = (*_NUMBERS, *_LABELS, *FEATURES)
     try:
-        return Prospects(
-            features[order].reshape(*shape, len(FEATURES)),
-            scenes,
-            tuple(table["family"].take(first).to_pylist()),
-            tuple(table["pattern"].take(first).to_pylist()),
-            actions,
+        return _prospects(
+            read_columns(
+                lambda: pq.ParquetFile(Path(path)).read(columns), columns, "a Parquet file"
+            )
         )
     except InputError as error:
         raise InputError(f"outcomes: {path}: {error}") from None
 
 
-def _read_columns(path: Path) -> pa.Table:
+def read_columns(read: Callable[[], pa.Table], columns: Sequence[str], kind: str) -> pa.Table:
+    """The columns that are needed of a table, in this order.
+
+    Raises:
+        InputError: if a column is missing, or the table cannot be read; the message then asks for a
+            file of this kind.
+    """
     try:
-        with pq.ParquetFile(path) as file:
-            there = set(file.schema_arrow.names)
-            missing = [name for name in (*_NUMBERS, *_LABELS, *FEATURES) if name not in there]
-            if missing:
-                raise InputError(
-                    f"outcomes: {path}: column {missing[0]} is missing: "
-                    f"{', '.join((*_NUMBERS, *_LABELS, *FEATURES))} are needed"
-                )
-            return file.read(columns=[*_NUMBERS, *_LABELS, *FEATURES])
+        table = read()
     except (OSError, pa.ArrowException) as error:
         # pyarrow's own message has several lines
+        raise InputError(f"{str(error).splitlines()[0]}: {kind} is needed") from None
+    for name in columns:
+        if name not in table.column_names:
+            raise InputError(f"column {name} is missing: {', '.join(columns)} are needed")
+    return table.select(columns)
+
+
+def _prospects(table: pa.Table) -> Prospects:
+    _check_columns(table)
+    scene, rollout = (table[name].to_numpy() for name in _NUMBERS)
+    scenes, scene_place = np.unique(scene, return_inverse=True)
+    names = table["action"].combine_chunks().dictionary_encode()
+    actions = tuple(names.dictionary.to_pylist())
+    prospect_place = scene_place * len(actions) + names.indices.to_numpy()
+    order = np.lexsort((rollout, prospect_place))
+    counts = np.bincount(prospect_place, minlength=len(scenes) * len(actions))
+    if counts.min() != counts.max():
+        place = int(np.argmin(counts))
         raise InputError(
-            f"outcomes: {path}: {str(error).splitlines()[0]}: a Parquet file is needed"
-        ) from None
+            f"scene {scenes[place // len(actions)]} has {counts.min()} rollouts of "
+            f"{actions[place % len(actions)]}, others have {counts.max()}: "
+            "the same number everywhere is allowed"
+        )
+    shape = (len(scenes), len(actions), int(counts[0]))
+    if (np.diff(rollout[order].reshape(shape), axis=-1) == 0).any():
+        raise InputError(
+            "a rollout of a scene and an action stands there twice: each once is allowed"
+        )
+    features = np.stack([table[name].to_numpy() for name in FEATURES], axis=-1)
+    first = order.reshape(shape)[:, 0, 0]
+    return Prospects(
+        features[order].reshape(*shape, len(FEATURES)),
+        scenes,
+        tuple(table["family"].take(first).to_pylist()),
+        tuple(table["pattern"].take(first).to_pylist()),
+        actions,
+    )
 
 
-def _complaints(table: pa.Table) -> Iterator[str]:
+def _check_columns(table: pa.Table) -> None:
     if table.num_rows == 0:
-        yield "no rows: one row a rollout is needed"
+        raise InputError("no rows: one row a rollout is needed")
     kinds = (
         (_NUMBERS, pa.types.is_integer, "integers"),
         (_LABELS, lambda kind: pa.types.is_string(kind) or pa.types.is_large_string(kind), "text"),
@@ -166,14 +169,16 @@ def _complaints(table: pa.Table) -> Iterator[str]:
         for name in names:
             column = table[name]
             if not is_right(column.type):
-                yield f"column {name} holds {column.type}: {allowed} are allowed"
+                raise InputError(f"column {name} holds {column.type}: {allowed} are allowed")
             if column.null_count:
-                yield f"column {name} has {column.null_count} empty rows: none is allowed"
+                raise InputError(
+                    f"column {name} has {column.null_count} empty rows: none is allowed"
+                )
     for name in FEATURES:
         numbers = table[name].to_numpy()
         wrong = np.flatnonzero(~np.isfinite(numbers))
         if wrong.size:
-            yield (
+            raise InputError(
                 f"column {name} contains {numbers[wrong[0]]} in row {wrong[0]}: "
                 "only finite numbers are allowed"
             )

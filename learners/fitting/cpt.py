@@ -8,10 +8,9 @@ import numpy as np
 from learners.arrays import FloatArray
 from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
-from learners.fitting.descent import ENOUGH, Optimum, minimise
+from learners.fitting.descent import minimise
 from learners.fitting.eu import fit_mean_utility
 from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
-from learners.fitting.likelihood import Prior
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.parameters import CptParameters
 from learners.judging.teachers import BETA
@@ -36,14 +35,9 @@ Their θ is the one that best explains the choices by expected utility. Both sta
 the same minimum, but with 100 or 200 choices one may end a few nats above the other.
 """
 
-ROUGHLY = 0.03
-"""How near its minimum each start is followed, in nats, before the better one goes on alone."""
-
-MANY_CHOICES = 400
-"""With this many choices the starts hardly differ in where they end: only the first is followed."""
-
-LONGEST_LOG_STEP = 0.5
-"""How far the logarithm of a parameter may move in one step of a fit."""
+ROUGHLY = 0.03  # how near its minimum each start is followed before the better goes on alone, nats
+MANY_CHOICES = 400  # from here on the starts hardly differ in where they end: the first is enough
+LONGEST_LOG_STEP = 0.5  # how far the logarithm of a parameter may move in one step of a fit
 
 # which of ln α, ln η, ln λ, ln γ, ln δ each fitted number moves
 UNTIED = np.eye(5)
@@ -114,17 +108,15 @@ class CptLearner:
         theta = fit_mean_utility(features.mean(axis=1), choices, self.reward_deviation).z
         linear = count + free_reference  # how many numbers θ and r are
         deviation = prior_deviation(linear, ties, self.reward_deviation)
-        prior = Prior(np.zeros(len(deviation)), deviation)
         longest_step = np.repeat([LONGEST_REWARD_STEP, LONGEST_LOG_STEP], [linear, len(ties)])
 
-        def search(start: FloatArray, enough: float) -> Optimum:
-            return minimise(model, choices, prior, start, longest_step, enough)
-
         heads = []
-        for mind in STARTS[: 1 if len(preferences) >= MANY_CHOICES else None]:
+        for mind in STARTS[:1] if len(preferences) >= MANY_CHOICES else STARTS:
             logs = tied_means(ties, np.log(mind.numbers))
-            heads.append(search(np.concatenate([theta, np.zeros(free_reference), logs]), ROUGHLY))
-        found = search(min(heads, key=lambda head: head.objective).z, ENOUGH)
+            start = np.concatenate([theta, np.zeros(free_reference), logs])
+            heads.append(minimise(model, choices, deviation, start, longest_step, ROUGHLY))
+        best = min(heads, key=lambda head: head.objective)
+        found = minimise(model, choices, deviation, best.z, longest_step)
         theta, reference, parameters = person(found.z)
         steps = found.steps + sum(head.steps for head in heads)
         return Fit.of(self, choices, replace(found, steps=steps), theta, parameters, reference)

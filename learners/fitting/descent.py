@@ -24,56 +24,33 @@ from dataclasses import dataclass
 import numpy as np
 
 from learners.arrays import FloatArray
-from learners.fitting.likelihood import Choices, Model, Prior, Survey, survey
+from learners.fitting.likelihood import Choices, Model, Survey, survey
 from learners.fitting.simplex import lowest_mixture
 
 ENOUGH = 1e-4
 """A fit has converged when the model promises to lower the objective by no more than this, nats."""
 
-MOST_STEPS = 300
-
-MOST_KEPT = 40
-"""How many gradients are kept. A minimum needs at most one more of them than parameters."""
-
-FAR = 1.0
-"""Gradients from places further away are forgotten; ½ ‖z − z_j‖² in the metric of H, nats."""
-
-LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-6, 1e-3, 1e9
-
-WORTHWHILE = 0.05
-"""A step is taken if it delivers this share of what the model promises."""
-
-PATIENCE = 3
-"""How many steps may fail before the damping grows; each adds a gradient to the bundle."""
+MOST_STEPS = 300  # steps that are tried before a fit ends without having converged
+MOST_KEPT = 40  # gradients in the bundle; a minimum needs at most one more than parameters
+FAR = 1.0  # ½ ‖z − z_j‖² in the metric of H, nats, beyond which a gradient is forgotten
+LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-6, 1e-3, 1e9  # values of μ
+WORTHWHILE = 0.05  # share of the promised decrease that a step must deliver to be taken
+PATIENCE = 3  # steps that may fail before μ grows; each adds a gradient to the bundle
 
 
 @dataclass(frozen=True)
 class Optimum(Survey):
-    """The objective around the place where the search ended.
+    """The objective around the place where the search ended."""
 
-    Attributes:
-        expected_decrease: by how much the model still promises to lower f, nats.
-        steps: how many steps were tried.
-        converged: whether the promised decrease is as small as was asked for.
-    """
-
-    expected_decrease: float
-    steps: int
-    converged: bool
-
-
-@dataclass(frozen=True)
-class _Step:
-    """The way d to the minimum of the model of the objective, and the decrease it promises."""
-
-    d: FloatArray
-    decrease: float
+    expected_decrease: float  # by how much the model still promises to lower f, nats
+    steps: int  # how many steps were tried
+    converged: bool  # whether the promised decrease is as small as was asked for
 
 
 def minimise(
     model: Model,
     choices: Choices,
-    prior: Prior,
+    deviation: FloatArray,
     start: FloatArray,
     longest_step: FloatArray,
     enough: float = ENOUGH,
@@ -83,31 +60,31 @@ def minimise(
     Args:
         model: values and slopes of the prospects.
         choices: the choices among them.
-        prior: what is thought of the parameters beforehand.
+        deviation: [M], standard deviations of the prior of the parameters, around 0.
         start: [M], the parameters at which to begin.
         longest_step: [M], how far each parameter may move in one step.
         enough: the search ends when the model promises no larger decrease than this, nats.
     """
-    here = survey(model, choices, prior, start)
+    here = survey(model, choices, deviation, start)
     bundle = [here]
     damping, failed, steps = FIRST_DAMPING, 0, 0
     while True:
         bundle, gradients, errors = _carry_over(bundle[-MOST_KEPT:], here)
         damped = here.hessian + damping * np.diag(np.diagonal(here.hessian))
-        step = _model_step(damped, gradients, errors)
+        way, decrease = _model_step(damped, gradients, errors)
         exhausted = steps == MOST_STEPS or damping > MOST_DAMPING
         # a damped model promises less: while it promises enough, the undamped one need not be asked
-        if exhausted or step.decrease <= enough:
-            left = _model_step(here.hessian, gradients, errors).decrease
+        if exhausted or decrease <= enough:
+            _, left = _model_step(here.hessian, gradients, errors)
             if exhausted or left <= enough:
                 return Optimum(
                     **vars(here), expected_decrease=left, steps=steps, converged=left <= enough
                 )
 
         steps += 1
-        d = step.d / max(1.0, float(np.max(np.abs(step.d) / longest_step)))
+        d = way / max(1.0, float(np.max(np.abs(way) / longest_step)))
         promised = -float(np.max(gradients @ d - errors) + 0.5 * d @ here.hessian @ d)
-        there = survey(model, choices, prior, here.z + d)
+        there = survey(model, choices, deviation, here.z + d)
         delivered = here.objective - there.objective
         if delivered > WORTHWHILE * promised:
             bundle.append(there)
@@ -136,9 +113,12 @@ def _carry_over(bundle: list[Survey], here: Survey) -> tuple[list[Survey], Float
     return bundle, gradients + bend, errors
 
 
-def _model_step(hessian: FloatArray, gradients: FloatArray, errors: FloatArray) -> _Step:
-    """Minimise max_j (g_j·d − e_j) + ½ d·H d, by way of the dual problem."""
+def _model_step(
+    hessian: FloatArray, gradients: FloatArray, errors: FloatArray
+) -> tuple[FloatArray, float]:
+    """The d that minimises max_j (g_j·d − e_j) + ½ d·H d, and the decrease that it promises."""
+    # the dual problem is one of mixtures of the gradients
     mixture = lowest_mixture(gradients @ np.linalg.solve(hessian, gradients.T), errors)
     gradient = mixture @ gradients
     d = np.asarray(-np.linalg.solve(hessian, gradient), dtype=np.float64)
-    return _Step(d, float(mixture @ errors - 0.5 * gradient @ d))
+    return d, float(mixture @ errors - 0.5 * gradient @ d)

@@ -1,6 +1,7 @@
 """The learner who takes people for maximisers of expected utility."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from learners.asking.preferences import Preferences
 from learners.asking.prospects import Prospects
 from learners.fitting.descent import Optimum, minimise
 from learners.fitting.fits import LONGEST_REWARD_STEP, REWARD_DEVIATION, Fit, asked_prospects
-from learners.fitting.likelihood import Choices, Prior
+from learners.fitting.likelihood import Choices
 from learners.judging.teachers import BETA
 
 
@@ -21,12 +22,8 @@ class EuLearner:
         reward_deviation: standard deviation of the prior of each number of θ.
     """
 
+    name: ClassVar[str] = "eu"
     reward_deviation: float = REWARD_DEVIATION
-
-    @property
-    def name(self) -> str:
-        """What to call it."""
-        return "eu"
 
     def description(self) -> dict[str, object]:
         """All that makes the learner, in plain types."""
@@ -45,11 +42,11 @@ class EuLearner:
 
 def fit_mean_utility(means: FloatArray, choices: Choices, deviation: float) -> Optimum:
     """Fit θ to choices between prospects of mean features [P, D]; the search begins at θ = 0."""
-    every = np.ones(means.shape[1])
+    count = means.shape[1]
     return minimise(
         lambda theta: ((theta * means).sum(axis=1), means),
         choices,
-        Prior(mean=0.0 * every, deviation=deviation * every),
-        start=0.0 * every,
-        longest_step=LONGEST_REWARD_STEP * every,
+        deviation=np.full(count, deviation),
+        start=np.zeros(count),
+        longest_step=np.full(count, LONGEST_REWARD_STEP),
     )

@@ -109,13 +109,7 @@ class Learner(Protocol):
         """What to call it."""
 
     def fit(self, prospects: Prospects, preferences: Preferences, beta: float = BETA) -> Fit:
-        """Find the person who best explains the choices.
-
-        Args:
-            prospects: what the choices are about.
-            preferences: the choices.
-            beta: how decided the choices are; it fixes the scale of θ.
-        """
+        """Find the person who best explains the choices; β fixes the scale of θ."""
 
     def description(self) -> dict[str, object]:
         """All that makes the learner, in plain types."""
@@ -138,18 +132,12 @@ def unit_vector(theta: Sequence[float] | FloatArray) -> FloatArray:
 
 
 def fit_many(problems: Sequence[Problem], workers: int | None = None) -> list[Fit]:
-    """Fit a batch of problems side by side.
+    """Fit a batch of problems side by side; the fits come in the order of the problems.
 
     The arrays of one problem fit into a processor's cache, so problems are handed out one by one.
     Stacked into larger arrays they would take longer, and the rounding of one fit would depend on
-    the rest of the batch. As it is, a fit is the same bits alone and in company.
-
-    Args:
-        problems: what to fit.
-        workers: how many fits to do at a time; one per processor if left out.
-
-    Returns:
-        The fits, in the order of the problems.
+    the rest of the batch. As it is, a fit is the same bits alone and in company. As many fits are
+    done at a time as there are workers; one per processor if their number is left out.
     """
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         return list(pool.map(lambda p: p.learner.fit(p.prospects, p.preferences, p.beta), problems))
@@ -167,10 +155,8 @@ def asked_prospects(
     if len(preferences) == 0:
         raise InputError("preferences: none is there: one choice or more is needed")
     scenes, actions, outcomes, count = prospects.features.shape
-    preferred, other = (
-        preferences.scenes * actions + action
-        for action in (preferences.preferred, preferences.other)
-    )
-    asked, places = np.unique(np.concatenate([preferred, other]), return_inverse=True)
+    sides = preferences.scenes * actions + np.stack([preferences.preferred, preferences.other])
+    asked, places = np.unique(sides, return_inverse=True)
     features = prospects.features.reshape(scenes * actions, outcomes, count)[asked]
-    return features, Choices(places[: len(preferred)], places[len(preferred) :], beta)
+    preferred, other = places.reshape(sides.shape)
+    return features, Choices(preferred, other, beta)

@@ -1,9 +1,9 @@
 """How well a model explains choices: the objective that learners minimise.
 
 It is the Bradley–Terry negative log-likelihood of the choices (Bradley and Terry, "Rank Analysis of
-Incomplete Block Designs", Biometrika 39, 1952) plus a weak normal prior,
+Incomplete Block Designs", Biometrika 39, 1952) plus a weak normal prior around the origin,
 
-    f(z) = Σ ln(1 + exp(−β (V_preferred − V_other))) + ½ Σ ((z − mean) / deviation)²,
+    f(z) = Σ ln(1 + exp(−β (V_preferred − V_other))) + ½ Σ (z / deviation)²,
 
 in nats. The prior keeps the minimum finite where the choices do not, for example where a model can
 explain every single choice (separable choices).
@@ -33,44 +33,27 @@ class Choices:
 
 
 @dataclass(frozen=True)
-class Prior:
-    """Independent normal distributions that the parameters are thought to come from."""
-
-    mean: FloatArray  # [M]
-    deviation: FloatArray  # [M], standard deviations
-
-
-@dataclass(frozen=True)
 class Survey:
-    """The objective around one place.
+    """The objective around one place; J is the slope of a pair's difference of values there."""
 
-    Attributes:
-        z: [M], the place: parameters of the model.
-        objective: f(z), nats.
-        nll: the negative log-likelihood of the choices, which is f(z) without the prior, nats.
-        gradient: [M], ∇f.
-        hessian: [M, M], the expected Hessian β² Σ p (1 − p) J Jᵀ + 1/deviation², where J is the
-            slope of a pair's difference of values. It is positive definite.
-    """
-
-    z: FloatArray
-    objective: float
-    nll: float
-    gradient: FloatArray
-    hessian: FloatArray
+    z: FloatArray  # [M], the place: parameters of the model
+    objective: float  # f(z), nats
+    nll: float  # f(z) without the prior, nats
+    gradient: FloatArray  # [M], ∇f
+    hessian: FloatArray  # [M, M], expected: β² Σ p (1 − p) J Jᵀ + 1/deviation², positive definite
 
 
-def survey(model: Model, choices: Choices, prior: Prior, z: FloatArray) -> Survey:
-    """Evaluate the objective at a place."""
+def survey(model: Model, choices: Choices, deviation: FloatArray, z: FloatArray) -> Survey:
+    """Evaluate the objective at a place; the prior has the standard deviations `deviation` [M]."""
     values, slopes = model(z)
     margin = choices.beta * (values[choices.preferred] - values[choices.other])
     nll = float(np.logaddexp(0.0, -margin).sum())
     surprise = 0.5 - 0.5 * np.tanh(0.5 * margin)  # the probability of the opposite choice
     slope = choices.beta * (slopes[choices.preferred] - slopes[choices.other])
-    away = (z - prior.mean) / prior.deviation
+    away = z / deviation
     # sums rather than matrix products, whose rounding may depend on the number of processors
-    gradient = -(slope * surprise[:, None]).sum(axis=0) + away / prior.deviation
+    gradient = -(slope * surprise[:, None]).sum(axis=0) + away / deviation
     spread = np.sqrt(surprise * (1.0 - surprise))[:, None] * slope
-    hessian = np.einsum("ni,nj->ij", spread, spread) + np.diag(prior.deviation**-2.0)
+    hessian = np.einsum("ni,nj->ij", spread, spread) + np.diag(deviation**-2.0)
     hessian += LEAST_CURVATURE * np.diag(np.diagonal(hessian))
     return Survey(z, nll + 0.5 * float((away**2).sum()), nll, gradient, hessian)

@@ -10,7 +10,7 @@ from learners.asking.prospects import Prospects
 from learners.errors import InputError
 from learners.fitting.cpt import TIED, UNTIED, prior_deviation
 from learners.fitting.fits import REWARD_DEVIATION
-from learners.fitting.likelihood import Choices, Prior, survey
+from learners.fitting.likelihood import Choices, survey
 from learners.fitting.slopes import feature_planes, value_slopes
 from learners.judging.teachers import Teacher
 
@@ -35,8 +35,8 @@ def attainable_precision(
     the result owes more to the prior than to the teacher.
 
     Args:
-        teacher: the teacher who chooses, with Prelec weights.
-        prospects: the prospects that the choices are about.
+        teacher: who chooses, with Prelec weights.
+        prospects: what the choices are about.
         count: how many choices.
         tied: whether the learner knows that α = η and γ = δ.
 
@@ -58,9 +58,8 @@ def attainable_precision(
     choices = Choices(
         pairs.scenes * actions + pairs.first, pairs.scenes * actions + pairs.second, teacher.beta
     )
-    nowhere = np.zeros(slopes.shape[1])
-    vague = Prior(nowhere, np.full(len(nowhere), 1e9))
-    each = survey(lambda _: (worth.values, slopes), choices, vague, nowhere).hessian
+    vague = np.full(slopes.shape[1], 1e9)  # a prior that says nothing
+    each = survey(lambda _: (worth.values, slopes), choices, vague, 0.0 * vague).hessian
     deviation = prior_deviation(features, ties, REWARD_DEVIATION)
     covariance = np.linalg.inv(count / len(pairs.scenes) * each + np.diag(deviation**-2.0))
     of_theta = covariance[:features, :features]

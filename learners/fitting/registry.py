@@ -20,9 +20,5 @@ LEARNERS: dict[str, Learner] = {
 
 
 def find_learners(names: Iterable[Learner | str]) -> tuple[Learner, ...]:
-    """The learners of these names; a learner in place of a name stands for itself.
-
-    Raises:
-        InputError: if one is unknown.
-    """
+    """The learners of these names, see `find`."""
     return find("learner", names, LEARNERS)

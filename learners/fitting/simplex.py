@@ -24,7 +24,7 @@ def lowest_mixture(quadratic: FloatArray, linear: FloatArray) -> FloatArray:
     count = len(linear)
     # a touch of curvature, because more gradients than dimensions make Q singular
     quadratic = quadratic + np.eye(count) * (1e-12 * np.trace(quadratic) / count + 1e-300)
-    used = [int(np.argmin(0.5 * np.diagonal(quadratic) + linear))]
+    used = np.array([np.argmin(0.5 * np.diagonal(quadratic) + linear)])
     mixture = np.zeros(count)
     mixture[used] = 1.0
     for _ in range(10 * count):
@@ -35,15 +35,15 @@ def lowest_mixture(quadratic: FloatArray, linear: FloatArray) -> FloatArray:
             reach = np.where(too_low, now / np.where(too_low, now - wanted, 1.0), np.inf)
             share = float(reach.min())
             mixture[used] = np.maximum(now + share * (wanted - now), 0.0)
-            mixture[[place for place, r in zip(used, reach, strict=True) if r <= share]] = 0.0
-            used = [place for place, r in zip(used, reach, strict=True) if r > share]
+            mixture[used[reach <= share]] = 0.0
+            used = used[reach > share]
             continue
         mixture[used] = wanted
         slopes = quadratic @ mixture + linear
         best = int(np.argmin(slopes))
         if best in used or slopes[best] >= level - _TOLERANCE * abs(level):
             break
-        used.append(best)
+        used = np.append(used, best)
     shares: FloatArray = mixture / mixture.sum()
     return shares
 

@@ -40,11 +40,7 @@ def value_slopes(
 ) -> ValueSlopes:
     """Value of prospects by cumulative prospect theory with Prelec weights, and its slopes.
 
-    Args:
-        planes: [D, P, K], features, see `feature_planes`.
-        theta: [D], θ.
-        reference: r, subtracted from the utilities θ·φ.
-        parameters: α, η, λ, γ, δ.
+    The features come as planes [D, P, K], θ as [D]; r is subtracted from the utilities θ·φ.
     """
     a = parameters
     x = np.einsum("d,dpk->pk", theta, planes) - reference

@@ -17,11 +17,7 @@ BETA = 20.0
 
 
 def check_beta(beta: float) -> None:
-    """Make sure that an inverse temperature can be used.
-
-    Raises:
-        InputError: if it is not a finite number above 0.
-    """
+    """Raise `InputError` if an inverse temperature is not a finite number above 0."""
     if not (np.isfinite(beta) and beta > 0.0):
         raise InputError(f"beta {beta} is not allowed: a finite number above 0")
 
@@ -87,9 +83,5 @@ TEACHERS: dict[str, Teacher] = {name: Teacher(name, people) for name, people in 
 
 
 def find_teachers(names: Iterable[Teacher | str]) -> tuple[Teacher, ...]:
-    """The teachers of these names; a teacher in place of a name stands for itself.
-
-    Raises:
-        InputError: if one is unknown.
-    """
+    """The teachers of these names, see `find`."""
     return find("teacher", names, TEACHERS)

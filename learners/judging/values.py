@@ -139,7 +139,7 @@ def prospect_value(
         utilities, probabilities, reference, a.alpha, a.eta, a.loss_aversion, a.gamma, a.delta
     )
     x = outcome_array(utilities, xp, reference)
-    weights = _decision_weights(x, parameters, probabilities, weighting)
+    weights = decision_weights(x, parameters, probabilities, weighting=weighting)
     return (weights * value(x, parameters)).sum(-1)
 
 
@@ -157,21 +157,17 @@ def value(x: NumbersOrTensor, parameters: CptLike[NumbersOrTensor]) -> Array:
         x: any shape, utility above (gain) or below (loss) the reference.
         parameters: as for `prospect_value`; α, η and λ are used.
 
-    Returns:
-        The values, float64.
-
     Raises:
         InputError: if an outcome is not finite or a parameter is out of range.
     """
-    xp = namespace(x, parameters.alpha, parameters.eta, parameters.loss_aversion)
+    a = parameters
+    xp = namespace(x, a.alpha, a.eta, a.loss_aversion)
     outcomes = finite_array("x", x, xp)
     is_gain = outcomes >= 0.0
     exponent = xp.where(
-        is_gain,
-        positive_array("alpha", parameters.alpha, xp),
-        positive_array("eta", parameters.eta, xp),
+        is_gain, positive_array("alpha", a.alpha, xp), positive_array("eta", a.eta, xp)
     )
-    loss_aversion = positive_array("loss_aversion", parameters.loss_aversion, xp)
+    loss_aversion = positive_array("loss_aversion", a.loss_aversion, xp)
     aversion = xp.where(is_gain, 1.0, loss_aversion)
     size = xp.hypot(outcomes, xp.full_like(outcomes, SMOOTHING))
     return aversion * outcomes * size ** (exponent - 1.0)
@@ -204,16 +200,6 @@ def decision_weights(
     """
     xp = namespace(utilities, probabilities, reference, parameters.gamma, parameters.delta)
     x = outcome_array(utilities, xp, reference)
-    return _decision_weights(x, parameters, probabilities, weighting)
-
-
-def _decision_weights(
-    x: Array,
-    parameters: CptLike[NumbersOrTensor],
-    probabilities: NumbersOrTensor | None,
-    weighting: Weighting,
-) -> Array:
-    xp = namespace(x)
     gamma = curvature("gamma", parameters.gamma, weighting, xp)
     delta = curvature("delta", parameters.delta, weighting, xp)
     order = xp.argsort(x, axis=-1, stable=True)

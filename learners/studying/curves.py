@@ -5,7 +5,6 @@ Introduction to the Bootstrap", 1993, section 13.3), from a fixed seed. Every se
 pairs and answers of its own, but all seeds share one bank: intervals speak of the bank's scenes.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, TypeAlias
@@ -19,12 +18,14 @@ from learners.names import check_name
 from learners.seeds import Stream, generator
 from learners.studying.table import TASK_COLUMNS
 
-RESAMPLES = 10_000
-
-COVERAGE = 0.95
+RESAMPLES = 10_000  # draws of a bootstrap
+COVERAGE = 0.95  # share of intervals that hold the true mean
 
 Entry: TypeAlias = Any
 """What a column holds for one fit: a number, or a list of D numbers; for averages an array [D]."""
+
+_Entries: TypeAlias = dict[int, dict[int, Entry]]
+"""The entries of one learner by number of pairs and seed."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +66,9 @@ class Curve:
 
     def at(self, pairs: int) -> Spread | None:
         """What the curve says after this number of pairs; None if it has no such point."""
-        place = _place(self.pairs, pairs)
-        if place is None:
+        if pairs not in self.pairs:
             return None
+        place = np.searchsorted(self.pairs, pairs)
         sides = (side[place] for side in (self.mean, self.std, self.low, self.high))
         return Spread(int(self.runs[place]), *sides)
 
@@ -89,9 +90,9 @@ class PairedDifference:
 
     def at(self, pairs: int) -> Difference | None:
         """How they differ after this number of pairs; None if not both learned from that many."""
-        place = _place(self.pairs, pairs)
-        if place is None:
+        if pairs not in self.pairs:
             return None
+        place = np.searchsorted(self.pairs, pairs)
         sides = (float(side[place]) for side in (self.difference, self.low, self.high, self.ratio))
         return Difference(int(self.runs[place]), *sides)
 
@@ -99,72 +100,51 @@ class PairedDifference:
 def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Curve]:
     """One curve for each teacher and learner, in the order in which they appear in the table.
 
-    Learners who have nothing in the column, such as α in expected utility, have no curve.
-
-    Args:
-        table: rows of a study.
-        column: a column of numbers, or of lists of numbers of one length such as `theta_unit`.
+    The column is one of numbers, or of lists of numbers of one length such as `theta_unit`.
+    Learners who have nothing in it, such as α in expected utility, have no curve.
 
     Raises:
         InputError: if there is no such column, or it cannot be averaged.
     """
-    found = _by_task(table, column)
+    found = _by_learner(table, column)
     curves = []
     for teacher, learner in product(_names(table, "teacher"), _names(table, "learner")):
-        runs = {
-            pairs: np.array(list(by_seed.values()))
-            for (who, whose, pairs), by_seed in sorted(found.items())
-            if (who, whose) == (teacher, learner)
-        }
-        if not runs:
-            continue
-        curves.append(
-            Curve(
-                teacher,
-                learner,
-                column,
-                mean=np.array([samples.mean(axis=0) for samples in runs.values()]),
-                std=np.array(
-                    [
-                        samples.std(axis=0, ddof=1) if len(samples) > 1 else 0.0 * samples[0]
-                        for samples in runs.values()
-                    ]
-                ),
-                **_intervals(runs),
+        by_pairs = found.get((teacher, learner), {})
+        runs = {pairs: np.array(list(by_pairs[pairs].values())) for pairs in sorted(by_pairs)}
+        if runs:
+            mean = np.array([samples.mean(axis=0) for samples in runs.values()])
+            std = np.array(
+                [
+                    samples.std(axis=0, ddof=1) if len(samples) > 1 else 0.0 * samples[0]
+                    for samples in runs.values()
+                ]
             )
-        )
+            curves.append(Curve(teacher, learner, column, mean=mean, std=std, **_intervals(runs)))
     return curves
 
 
 def paired_differences(
     table: pa.Table, learner: str = "cpt", baseline: str = "eu", column: str = "regret_percent"
 ) -> list[PairedDifference]:
-    """Compare two learners, paired by seed: both were asked the same questions.
+    """Compare a learner with a baseline, paired by seed: both were asked the same questions.
 
-    Args:
-        table: rows of a study.
-        learner: who is compared.
-        baseline: with whom.
-        column: a column of numbers.
-
-    Returns:
-        One for each teacher, of the numbers of pairs and the seeds that both learners have.
+    There is one difference for each teacher, of the numbers of pairs and the seeds that both
+    learners have. The column is one of numbers.
 
     Raises:
         InputError: if there is no such column or learner, or the column cannot be averaged.
     """
-    found = _by_task(table, column)
+    found = _by_learner(table, column)
     for name in (learner, baseline):
         check_name("learner", name, _names(table, "learner"))
     paired = []
     for teacher in _names(table, "teacher"):
+        ours, theirs = (found.get((teacher, name), {}) for name in (learner, baseline))
         runs = {}
-        for pairs in sorted({pairs for who, _, pairs in found if who == teacher}):
-            ours = found.get((teacher, learner, pairs), {})
-            theirs = found.get((teacher, baseline, pairs), {})
-            both = sorted(ours.keys() & theirs.keys())
+        for pairs in sorted(ours.keys() & theirs.keys()):
+            both = sorted(ours[pairs].keys() & theirs[pairs].keys())
             if both:
-                runs[pairs] = np.array([(ours[seed], theirs[seed]) for seed in both])
+                runs[pairs] = np.array([(ours[pairs][seed], theirs[pairs][seed]) for seed in both])
         if not runs:
             continue
         differences = {pairs: samples[:, 0] - samples[:, 1] for pairs, samples in runs.items()}
@@ -185,18 +165,19 @@ def paired_differences(
     return paired
 
 
-def mean_interval(samples: FloatArray, seed: int = 0) -> tuple[FloatArray, FloatArray]:
+def mean_interval(samples: FloatArray) -> tuple[FloatArray, FloatArray]:
     """95 % bootstrap interval of the mean of samples [n, ...], its two ends [...].
 
     The interval of a single sample is that sample, which says nothing of its spread.
     """
-    draws = generator(seed, Stream.BOOTSTRAP).integers(len(samples), size=(RESAMPLES, len(samples)))
+    count = len(samples)
+    draws = generator(0, Stream.BOOTSTRAP).integers(count, size=(RESAMPLES, count))
     means = samples[draws].mean(axis=1)
     low, high = np.quantile(means, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0], axis=0)
     return low, high
 
 
-def _intervals(runs: Mapping[int, FloatArray]) -> dict[str, Any]:
+def _intervals(runs: dict[int, FloatArray]) -> dict[str, Any]:
     """What curves and differences share, from the samples of the seeds by number of pairs."""
     intervals = [mean_interval(samples) for samples in runs.values()]
     return {
@@ -207,14 +188,8 @@ def _intervals(runs: Mapping[int, FloatArray]) -> dict[str, Any]:
     }
 
 
-def _place(sizes: IntArray, pairs: int) -> int | None:
-    """Where a number of pairs stands among those of a curve; None if it does not."""
-    places = np.flatnonzero(sizes == pairs)
-    return int(places[0]) if len(places) else None
-
-
-def _by_task(table: pa.Table, column: str) -> dict[tuple[str, str, int], dict[int, Entry]]:
-    """The column's entry of each seed, by teacher, learner and number of pairs."""
+def _by_learner(table: pa.Table, column: str) -> dict[tuple[str, str], _Entries]:
+    """The column's entries by teacher and learner."""
     names = (*TASK_COLUMNS, column)
     for name in names:
         check_name("column", name, table.column_names)
@@ -222,11 +197,11 @@ def _by_task(table: pa.Table, column: str) -> dict[tuple[str, str, int], dict[in
     of = kind.value_type if pa.types.is_list(kind) else kind
     if not (pa.types.is_floating(of) or pa.types.is_integer(of) or pa.types.is_boolean(of)):
         raise InputError(f"column {column!r} of {kind} is not allowed: a column of numbers")
-    found: dict[tuple[str, str, int], dict[int, Entry]] = {}
+    found: dict[tuple[str, str], _Entries] = {}
     rows = zip(*(table[name].to_pylist() for name in names), strict=True)
     for teacher, learner, pairs, seed, entry in rows:
         if entry is not None:
-            found.setdefault((teacher, learner, pairs), {})[seed] = entry
+            found.setdefault((teacher, learner), {}).setdefault(pairs, {})[seed] = entry
     return found
 
 

@@ -8,8 +8,7 @@ from learners.arrays import FloatArray, IntArray
 from learners.asking.preferences import all_pairs, first_log_odds, probability
 from learners.judging.teachers import BETA
 
-CALIBRATION_BINS = 10
-"""How many equal bins predicted probabilities, 0 to 1, are sorted into."""
+CALIBRATION_BINS = 10  # equal bins that predicted probabilities, 0 to 1, are sorted into
 
 
 @dataclass(frozen=True)
@@ -54,16 +53,11 @@ class Evaluation:
 def evaluate(
     values: FloatArray, truth: FloatArray, beta: float = BETA, teacher_beta: float | None = None
 ) -> Evaluation:
-    """Measure learnt values of prospects against a teacher's.
+    """Measure learnt values of prospects [S, A] against the truth, their values to the teacher.
 
     The learner picks the action of the highest learnt value, the first of equal ones. If in no
-    scene any action is better than another, the regret is 0 %.
-
-    Args:
-        values: [S, A], learnt values in scenes that were not learned from.
-        truth: [S, A], what the same prospects are worth to the teacher.
-        beta: β that the learner takes choices to have.
-        teacher_beta: β of the teacher; the same if left out.
+    scene any action is better than another, the regret is 0 %. `beta` is the β that the learner
+    takes choices to have, `teacher_beta` that of the teacher; the same if left out.
     """
     best = truth.max(axis=1)
     picks = values.argmax(axis=1)

@@ -35,9 +35,6 @@ class SceneRegrets:
 def family_table(table: pa.Table) -> pa.Table:
     """The regret of every fit in each family of scenes.
 
-    Args:
-        table: rows of a study with its metadata.
-
     Returns:
         One row for every fit and family: `teacher`, `learner`, `pairs`, `seed`, `family`, `scenes`
         (how many scenes of the family were held out), `regret` (mean over these scenes, in units
@@ -54,9 +51,7 @@ def family_table(table: pa.Table) -> pa.Table:
 def family_curves(table: pa.Table, column: str = "regret_percent") -> dict[str, list[Curve]]:
     """Learning curves of each family of scenes, see `learning_curves`, by the family's name.
 
-    Args:
-        table: rows of a study with its metadata.
-        column: `regret_percent` or `regret`, see `family_table`.
+    The column is `regret_percent` or `regret` of `family_table`.
 
     Raises:
         InputError: if the table does not say what its scenes are, or there is no such column.
@@ -95,18 +90,11 @@ def scene_regrets(table: pa.Table) -> list[SceneRegrets]:
 
 
 def telling_scenes(table: pa.Table, count: int) -> dict[str, tuple[int, ...]]:
-    """The scenes that tell most about the learners of each teacher, the most telling first.
+    """Ids of the scenes that tell most about the learners, by the name of their teacher.
 
-    These are the scenes in which the learners' regrets after the largest number of pairs differ
-    most; of scenes in which they differ alike, the one with the larger regret comes first. Scenes
-    without regret are left out.
-
-    Args:
-        table: rows of a study.
-        count: how many scenes to name for each teacher, at most.
-
-    Returns:
-        Ids of scenes by the teacher's name.
+    The most telling come first: those in which the learners' regrets after the largest number of
+    pairs differ most, and of scenes in which they differ alike, that with the larger regret. Scenes
+    without regret are left out. Each teacher has `count` of them at most.
     """
     found: dict[str, tuple[int, ...]] = {}
     everything = scene_regrets(table)

@@ -22,14 +22,10 @@ class Split:
 
 
 def split_scenes(prospects: Prospects, seed: int, held_out: float = HELD_OUT) -> Split:
-    """Split the scenes in two, every family in the same proportion.
+    """Split the scenes in two, every family in the same proportion, by chance.
 
-    The share of each family is rounded to whole scenes, with at least one on either side.
-
-    Args:
-        prospects: the scenes.
-        seed: which of the possible splits, 0 or more.
-        held_out: share of the scenes to keep back, between 0 and 1.
+    The share of each family that is held out is rounded to whole scenes, with at least one on
+    either side.
 
     Raises:
         InputError: if the share is out of range, or a family has a single scene.

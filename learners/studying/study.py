@@ -18,7 +18,7 @@ import pyarrow as pa
 from learners.arrays import FloatArray
 from learners.asking.preferences import answer, sample_pairs
 from learners.asking.prospects import Prospects
-from learners.fitting.fits import Fit, Learner
+from learners.fitting.fits import Learner
 from learners.fitting.registry import find_learners
 from learners.judging.teachers import Teacher, find_teachers
 from learners.studying.evaluation import evaluate
@@ -38,11 +38,7 @@ def study_batches(
 ) -> Iterator[pa.Table]:
     """Do the fits that are missing and hand over their rows, a batch for each number of pairs.
 
-    Args:
-        study: what to study.
-        table: the rows that an interrupted study has already.
-        workers: how many fits to do at a time; one per processor if left out.
-        progress: told how many of the fits are done.
+    The table, workers and progress are those of `run_study`.
 
     Raises:
         InputError: if the table is not of this study.
@@ -50,12 +46,11 @@ def study_batches(
     missing = missing_tasks(study, table)
     total = len(study_tasks(study))
     done = total - len(missing)
-    schema = study_schema(study)
-    truths = study.truths  # before the threads begin, so that none of them does it again
+    schema = study_schema(study)  # finds the truths, too, so that no thread does it again
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         for _, tasks in groupby(missing, key=lambda task: task.pairs):
             rows = []
-            for row in pool.map(lambda task: _row(study, truths, task), list(tasks)):
+            for row in pool.map(lambda task: _row(study, task), list(tasks)):
                 rows.append(row)
                 done += 1
                 if progress is not None:
@@ -97,47 +92,41 @@ def run_study(
     return whole_table(study, batches if table is None else [table, *batches])
 
 
-def _row(study: Study, truths: dict[str, FloatArray], task: Task) -> dict[str, Any]:
+def _row(study: Study, task: Task) -> dict[str, Any]:
     teacher = next(t for t in study.teachers if t.name == task.teacher)
     learner = next(le for le in study.learners if le.name == task.learner)
-    truth = truths[teacher.name]
+    truth = study.truths[teacher.name]
     split = split_scenes(study.prospects, task.seed, study.held_out)
     pairs = sample_pairs(study.prospects, task.pairs, task.seed, split.training)
     preferences = answer(truth, pairs, teacher.beta, task.seed)
     fit = learner.fit(study.prospects, preferences, teacher.beta)
     learnt = fit.values(study.prospects.features[split.held_out])
     test = evaluate(learnt, truth[split.held_out], teacher.beta)
+    numbers = fit.parameters.numbers if fit.parameters else [None] * len(PARAMETER_COLUMNS)
     return {
         **task._asdict(),
         "regret": test.regret,
         "regret_percent": test.regret_percent,
         "nll": test.nll,
         "certainty": preferences.certainty,
-        **_learnt(fit),
+        "theta": fit.theta.tolist(),
+        **dict(zip(PARAMETER_COLUMNS, numbers, strict=True)),
+        "reference": fit.reference,
+        "theta_unit": fit.unit_theta.tolist(),
         "theta_cosine": _cosine(fit.theta, np.array(teacher.reward)),
         "agreement": test.agreement,
         "nll_teacher": test.nll_teacher,
+        "nll_training": fit.nll,
         "repeated": preferences.repeated,
+        "converged": fit.converged,
+        "steps": fit.steps,
+        "expected_decrease": fit.expected_decrease,
         "calibration_count": test.calibration.count.tolist(),
         "calibration_predicted": _null_where_nan(test.calibration.predicted),
         "calibration_preferred": _null_where_nan(test.calibration.preferred),
         "held_out_scenes": study.prospects.scenes[split.held_out].tolist(),
         "scene_regret": test.scene_regret.tolist(),
         "scene_picks": [study.prospects.actions[place] for place in test.scene_picks],
-    }
-
-
-def _learnt(fit: Fit) -> dict[str, Any]:
-    numbers = fit.parameters.numbers if fit.parameters else [None] * len(PARAMETER_COLUMNS)
-    return {
-        "theta": fit.theta.tolist(),
-        **dict(zip(PARAMETER_COLUMNS, numbers, strict=True)),
-        "reference": fit.reference,
-        "theta_unit": fit.unit_theta.tolist(),
-        "nll_training": fit.nll,
-        "converged": fit.converged,
-        "steps": fit.steps,
-        "expected_decrease": fit.expected_decrease,
     }
 
 

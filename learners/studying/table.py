@@ -74,9 +74,6 @@ def study_schema(study: Study) -> pa.Schema:
 def study_scenes(table: pa.Table) -> dict[int, StudyScene]:
     """The scenes of a study, those to learn from too, by their ids in the bank.
 
-    Args:
-        table: rows of a study with its metadata.
-
     Raises:
         InputError: if the table does not say what its scenes are.
     """
@@ -126,9 +123,7 @@ def _studied(table: pa.Table) -> Any:
 
 
 def _tasks_of(table: pa.Table) -> list[Task]:
-    return [
-        Task(*values) for values in zip(*(table[n].to_pylist() for n in Task._fields), strict=True)
-    ]
+    return list(map(Task, *(table[name].to_pylist() for name in Task._fields)))
 
 
 def _check_same_study(study: Study, table: pa.Table) -> None:

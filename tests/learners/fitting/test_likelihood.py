@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from learners.fitting.likelihood import Choices, Prior, survey
+from learners.fitting.likelihood import Choices, survey
 
 
 def linear(slopes):
@@ -12,7 +12,7 @@ def test_gradient_is_that_of_finite_differences():
     random = np.random.default_rng(0)
     slopes = random.normal(size=(6, 3))
     choices = Choices(random.integers(6, size=20), random.integers(6, size=20), beta=3.0)
-    prior = Prior(random.normal(size=3), np.array([0.5, 1.0, 2.0]))
+    prior = np.array([0.5, 1.0, 2.0])
     z = random.normal(size=3)
     for place, slope in enumerate(survey(linear(slopes), choices, prior, z).gradient):
         step = 1e-6 * np.eye(3)[place]
@@ -24,7 +24,7 @@ def test_hessian_of_a_linear_model_is_that_of_the_gradient():
     random = np.random.default_rng(1)
     slopes = random.normal(size=(6, 3))
     choices = Choices(random.integers(6, size=20), random.integers(6, size=20), beta=1.0)
-    prior, z = Prior(np.zeros(3), np.ones(3)), random.normal(size=3)
+    prior, z = np.ones(3), random.normal(size=3)
     hessian = survey(linear(slopes), choices, prior, z).hessian
     for place in range(3):
         step = 1e-6 * np.eye(3)[place]
@@ -37,7 +37,7 @@ def test_certain_and_surprising_choices_do_not_overflow():
         there = survey(
             lambda z: (np.array([1e6, 0.0]) * z, np.array([[1e6], [0.0]])),
             Choices(np.array([preferred]), np.array([1 - preferred]), beta=1e3),
-            Prior(0.0 * np.ones(1), np.ones(1)),
+            np.ones(1),
             np.ones(1),
         )
         assert np.isfinite(there.objective)

@@ -1,22 +1,32 @@
+from itertools import product
+
 import numpy as np
+import pyarrow as pa
 import pyarrow.compute as pc
 import pytest
 
 from learners import TEACHERS, InputError, learning_curves, paired_differences
 from learners.studying.curves import mean_interval
-from tests.tables import study_table
-
-
-def columns(teacher, learner, pairs, seed):
-    return {
-        "regret_percent": 100.0 / pairs + seed + (learner == "eu") * 2.0,
-        "theta_unit": [1.0 * seed, 2.0],
-    }
 
 
 @pytest.fixture
 def table():
-    return study_table(columns, [TEACHERS["tk"], TEACHERS["eu"]], sizes=(100, 25), seeds=4)
+    rows = [
+        {
+            "teacher": teacher,
+            "learner": learner,
+            "pairs": pairs,
+            "seed": seed,
+            "regret_percent": 100.0 / pairs + seed + (learner == "eu") * 2.0,
+            "alpha": None if learner == "eu" else TEACHERS[teacher].parameters.alpha,
+            "theta_unit": [1.0 * seed, 2.0],
+            "converged": True,
+        }
+        for pairs, teacher, learner, seed in product(
+            (100, 25), ("tk", "eu"), ("eu", "cpt"), range(4)
+        )
+    ]
+    return pa.Table.from_pylist(rows)
 
 
 def test_curves_are_means_over_seeds_in_order(table):
