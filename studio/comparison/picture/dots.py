@@ -9,7 +9,6 @@ from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconG
 from studio.painter.axes import Axis, draw_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.scene.picture.titles import fit_text
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 
@@ -127,4 +126,4 @@ def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
     at, ink = (room.centre[0], top + 1.1 * small), canvas.theme.ink
-    fit_text(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")
+    canvas.fit(at, measure.names, room.width, small, ink, anchor="centre", line="top")

@@ -29,8 +29,8 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import draw_heading_in_line, fit_text, joined
-from studio.style.palette import LIGHT, Theme, contrast
+from studio.scene.picture.titles import draw_heading_in_line, joined
+from studio.style.palette import LIGHT, Theme
 from studio.style.words import action_label, counted
 
 SIZE = (1600, 900)
@@ -149,11 +149,11 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     tall = 1.5 * kind.heading
     badge = Box(box.left, box.top, box.left + tall, box.top + tall)
     canvas.rounded(badge, 0.2 * tall, colour)
-    paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
+    paper = theme.ink_on(colour)
     canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
     left = badge.right + 0.5 * kind.heading
     at, room, ink = (left, badge.centre[1]), box.right - left, theme.legible(colour)
-    fit_text(canvas, at, action_label(name), room, kind.heading, ink, SEMIBOLD)
+    canvas.fit(at, action_label(name), room, kind.heading, ink, SEMIBOLD)
 
 
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
@@ -244,7 +244,7 @@ class Show:
             canvas.text((box.left, box.centre[1]), told, kind.heading, ink, SEMIBOLD)
         canvas.restore(page.canvas, page.legend)
         at, room = (page.legend.left, page.legend.top + 1.25 * kind.small), page.legend.width
-        fit_text(canvas, at, legends, room, kind.small, canvas.theme.faint, line="base")
+        canvas.fit(at, legends, room, kind.small, canvas.theme.faint, line="base")
 
     def draw_at_rest(self) -> None:
         """Draw both scenes with everybody where the scene has them at the start."""

@@ -35,7 +35,6 @@ from studio.scene.picture.stage import (
 from studio.scene.picture.titles import (
     contacts_counted,
     draw_heading_in_line,
-    fit_text,
     joined,
     subtitles,
     titles,
@@ -208,7 +207,7 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
     red = "red: contact" if rollouts.touched.any() else ""
     left = max(box.left + 9.5 * canvas.type.body, clock.right + size)
     room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
-    fit_text(canvas, at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
+    canvas.fit(at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
 
 
 class _Strip:
@@ -227,13 +226,13 @@ class _Strip:
             name = action_label(rollouts.names[action])
             ink = theme.legible(colour) if action <= index else theme.faint
             at = (cell.left, cell.top + 1.2 * kind.body)
-            fit_text(canvas, at, name, cell.width, kind.body, ink, SEMIBOLD)
+            canvas.fit(at, name, cell.width, kind.body, ink, SEMIBOLD)
             if action < index:
                 touched = int(rollouts.touched[action].sum())
                 told = [*contacts_counted(touched, rollouts.count), f"{touched}"]
                 at = (cell.left, cell.top + 2.4 * kind.body)
                 ink = theme.contact if touched else theme.faint
-                fit_text(canvas, at, told, cell.width, kind.small, ink)
+                canvas.fit(at, told, cell.width, kind.small, ink)
 
     def draw(self, share: float) -> None:
         """Fill the bar of the action that is played up to this share."""

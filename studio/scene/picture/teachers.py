@@ -11,7 +11,6 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.judgements import Judgement, utilities
-from studio.scene.picture.titles import fit_text
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, number
 
@@ -50,7 +49,7 @@ def _frame(
         Its horizontal and its vertical axis.
     """
     kind, unit, theme, corner = canvas.type, canvas.unit, canvas.theme, (box.left, box.top)
-    fit_text(canvas, corner, title, box.width, kind.heading, theme.ink, SEMIBOLD, line="top")
+    canvas.fit(corner, title, box.width, kind.heading, theme.ink, SEMIBOLD, line="top")
     panel = Box(box.left, box.top + 1.5 * kind.heading, box.right, box.bottom - 1.4 * kind.small)
     canvas.fill(panel, theme.panel)
     across = Axis(*x_range, panel.left, panel.right)
@@ -67,7 +66,7 @@ def _frame(
     last = canvas.text((panel.right, top), high, small, faint, anchor="right", line="top")
     middle = box.centre[0]
     room = 2 * min(middle - first.right, last.left - middle) - 8 * unit
-    fit_text(canvas, (middle, top), below, room, small, faint, anchor="centre", line="top")
+    canvas.fit((middle, top), below, room, small, faint, anchor="centre", line="top")
     return across, up
 
 
@@ -113,7 +112,7 @@ def _draw_table(
     widths = (88, *[44] * len(CptParameters.SYMBOLS), 150)
     titles = ("teacher", *CptParameters.SYMBOLS, "picks")
     for title, cell in zip(titles, header.columns(widths, 2 * unit), strict=True):
-        fit_text(canvas, (cell.left, cell.centre[1]), title, cell.width, kind.small, theme.faint)
+        canvas.fit((cell.left, cell.centre[1]), title, cell.width, kind.small, theme.faint)
     for judgement, row in zip(judgements, rows, strict=True):
         canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), theme.grid)
         name, *cells, pick = row.columns(widths, 2 * unit)
@@ -122,11 +121,11 @@ def _draw_table(
             Box(name.left, middle - 2 * unit, name.left + 16 * unit, middle + 2 * unit), colour
         )
         at, room = (name.left + 22 * unit, middle), name.width - 22 * unit
-        fit_text(canvas, at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
+        canvas.fit(at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
         for given, cell in zip(judgement.parameters.numbers, cells, strict=True):
             wordings = [f"{given:.2f}", f"{given:.2f}".lstrip("0")]
             at, room = (cell.left, middle), cell.width - 4 * unit
-            fit_text(canvas, at, wordings, room, kind.small, theme.ink)
+            canvas.fit(at, wordings, room, kind.small, theme.ink)
         best = rollouts.names[judgement.best]
         text = canvas.abbreviated(action_label(best), pick.width, kind.body, SEMIBOLD)
         ink = theme.legible(theme.action_colour(best))

@@ -3,10 +3,9 @@
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.boxes import Box, Point
+from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.style.palette import Colour
+from studio.painter.lettering import SEMIBOLD
 from studio.style.words import counted
 
 
@@ -50,9 +49,9 @@ def draw_heading(
     """
     kind, theme = canvas.type, canvas.theme
     at = (page.left, page.top)
-    title = fit_text(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
+    title = canvas.fit(at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
     at = (page.left, title.bottom + 4 * canvas.unit)
-    subtitle = fit_text(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
+    subtitle = canvas.fit(at, subtitles, page.width, kind.body, theme.faint, line="top")
     return Box(page.left, page.top, page.right, subtitle.bottom)
 
 
@@ -68,27 +67,11 @@ def draw_heading_in_line(
     """
     page, theme = canvas.page, canvas.theme
     at = (page.left, page.top)
-    title = fit_text(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
+    title = canvas.fit(at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
     room = page.right - title.right - canvas.type.heading
     at = (page.right, title.centre[1] + lower)
-    fit_text(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
+    canvas.fit(at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
     return title
-
-
-def fit_text(
-    canvas: Canvas,
-    at: Point,
-    wordings: str | Sequence[str],
-    room: float,
-    size: int,
-    colour: Colour,
-    weight: int = REGULAR,
-    anchor: str = "left",
-    line: str = "middle",
-) -> Box:
-    """Set the first wording that is no wider than the room (px), else as `Canvas.text` does."""
-    fitting = canvas.fitted(wordings, room, size, weight)
-    return canvas.text(at, fitting, size, colour, weight, anchor, line)
 
 
 def joined(*wordings: Sequence[str]) -> list[str]:

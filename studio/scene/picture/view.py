@@ -29,7 +29,7 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
-from studio.scene.picture.titles import fit_text, joined
+from studio.scene.picture.titles import joined
 from studio.style.palette import blend
 from studio.style.words import action_label
 
@@ -83,7 +83,7 @@ def draw_scene(
     small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
     at, room = (box.left, baseline), end - box.left
-    fit_text(canvas, at, _captions(rollouts), room, small, theme.faint, line="base")
+    canvas.fit(at, _captions(rollouts), room, small, theme.faint, line="base")
 
 
 def _scene_labels(
