@@ -12,9 +12,9 @@ from scenes import Rollouts
 from studio.arrays import BoolArray, Bounds, FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
+from studio.comparison.recording import entities
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
-from studio.scene.recording import entities
 from studio.scene.recording.moving import log_over_time
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks

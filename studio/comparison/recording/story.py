@@ -14,8 +14,8 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.comparison.comparison import CLOSING, MOVING, OPENING, seconds_each
+from studio.comparison.recording import entities
 from studio.scene.measures import touched_by
-from studio.scene.recording import entities
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
     arrowheads,

@@ -4,7 +4,7 @@ import rerun.blueprint as rrb
 
 from scenes import Rollouts
 from studio.arrays import Bounds
-from studio.recorder.views import drawn_view, figure_view, opening, page_view
+from studio.recorder.views import Overrides, drawn_view, figure_view, opening, page_view
 from studio.scene.recording import entities
 from studio.scene.recording.action_table import action_table_bounds
 from studio.scene.recording.distributions import distributions_bounds
@@ -15,7 +15,7 @@ from studio.style.palette import LIGHT
 from studio.style.words import action_label, counted, short_label
 
 VIEW_SHAPE = (16, 9)
-"""Shape that views of the world have on a common screen, width and height."""
+"""Width to height of views of the world on a common screen."""
 
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
@@ -117,10 +117,12 @@ def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     )
 
 
-def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
-    """A view of the world: what does not move, and the given contents."""
+def world_view(
+    contents: list[str], bounds: Bounds, title: str, overrides: Overrides | None = None
+) -> rrb.View:
+    """A view of the world: what does not move, and the given contents; see `drawn_view`."""
     fixed = [entities.GRID, entities.WALLS, entities.TASK]
-    return drawn_view([*fixed, *contents], bounds, title)
+    return drawn_view([*fixed, *contents], bounds, title, overrides)
 
 
 def action_table_view(rollouts: Rollouts, teachers: int) -> rrb.View:
