@@ -23,6 +23,7 @@ GAIN_WEIGHTS = "figures/weights_of_gains"
 LOSS_WEIGHTS = "figures/weights_of_losses"
 DECISION_WEIGHTS = "figures/decision_weights"
 VALUES = "figures/values"
+CURVES = (GAIN_WEIGHTS, LOSS_WEIGHTS, DECISION_WEIGHTS, VALUES)  # from the left to the right
 RANKS = "figures/ranks"
 OUTCOMES = "outcomes"
 JUDGEMENTS = "judgements"

@@ -22,14 +22,11 @@ so that they pack into 0.6 of their size; rounded to 1 cm they would pack into 0
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; under the action with index a it is a + 1 before."""
 
-ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])
-"""The arrowhead on the robot that is drawn in full, when it faces along x, [3, 2], m."""
-
-BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS
-"""Thickness of the bars that join the people of a group, m."""
-
 PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
+
+ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])  # facing along x, m
+BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS  # of the bars that join the people of a group, m
 
 
 def log_over_time(
