@@ -17,15 +17,10 @@ _SMALLEST_PITCH = 2.0  # px; closer dots cannot be told apart, so bars stand for
 
 @dataclass(frozen=True)
 class IconArray:
-    """One dot an outcome: those in contact fill up from the left, the rest from the right.
+    """One dot an outcome: those in contact fill up from the left, the rest from the right."""
 
-    Attributes:
-        box: the box that the array takes up, px.
-        grid: where the dots lie in the box.
-    """
-
-    box: Box
-    grid: IconGrid
+    box: Box  # that the array takes up
+    grid: IconGrid  # where the dots lie in the box
 
     @classmethod
     def fit(cls, room: Box, count: int, largest_pitch: float) -> "IconArray":
@@ -98,13 +93,9 @@ class DotPlot:
 
 @dataclass(frozen=True)
 class DotAxis(Axis):
-    """The axis of a measure, whose lowest value may be set apart.
+    """The axis of a measure, whose lowest value may be set apart."""
 
-    Attributes:
-        measure: what lies along it.
-    """
-
-    measure: DotMeasure
+    measure: DotMeasure  # what lies along it
 
     def at(self, value: float) -> float:
         """Where a value lies, px."""

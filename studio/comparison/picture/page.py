@@ -36,7 +36,7 @@ from studio.style.words import action_label, counted
 SIZE = (1600, 900)
 """Width and height of the picture unless one asks for others, px."""
 
-# lengths on the reference page that the unit of a canvas belongs to
+# lengths in units of the page
 _GAP = 48  # between the sides
 _DOTS = 150  # height of the room for dots
 _PITCH, _DOT_PITCH = 22, 15  # the largest distance from one icon to the next, and of dots
@@ -72,25 +72,15 @@ class Plot:
 
 @dataclass(frozen=True)
 class ComparisonPage:
-    """What all frames share; views, icons and counts have an entry a side.
-
-    Attributes:
-        comparison: what is compared.
-        canvas: a canvas with everything drawn that never changes.
-        views: views of the scene.
-        legend: the line below the scenes.
-        icons: arrays of icons.
-        counts: where the number of contacts is told.
-        plots: the dot plots, one a measure.
-    """
+    """What all frames share; views, icons and counts have an entry a side."""
 
     comparison: Comparison
-    canvas: Canvas
-    views: tuple[View, ...]
-    legend: Box
+    canvas: Canvas  # with everything drawn that never changes
+    views: tuple[View, ...]  # of the scene
+    legend: Box  # the line below the scenes
     icons: tuple[IconArray, ...]
-    counts: tuple[Box, ...]
-    plots: tuple[Plot, ...]
+    counts: tuple[Box, ...]  # where the number of contacts is told
+    plots: tuple[Plot, ...]  # one a measure
 
 
 def lay_out_comparison(

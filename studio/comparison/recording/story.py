@@ -29,8 +29,7 @@ from studio.style.palette import Theme, blend
 
 Number = TypeVar("Number", bound=np.generic)
 
-POSES = 20
-"""How many poses of an outcome are shown after its first; more would pass too fast to see."""
+POSES = 20  # of an outcome that are shown after its first; more would pass too fast to see
 
 
 def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:

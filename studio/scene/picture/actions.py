@@ -44,21 +44,13 @@ def _bins(measure: Measure) -> tuple[FloatArray, list[float]]:
 
 @dataclass(frozen=True)
 class ActionTable:
-    """Where the table of actions lies.
+    """Where the table of actions lies."""
 
-    Attributes:
-        box: the whole table.
-        header: height of the header, px.
-        row: height of a row, px.
-        footer: height of the line of ticks under the rows, px.
-        shown: how many actions there is room for.
-    """
-
-    box: Box
-    header: float
-    row: float
-    footer: float
-    shown: int
+    box: Box  # the whole table
+    header: float  # height, px
+    row: float  # height, px
+    footer: float  # height of the line of ticks under the rows, px
+    shown: int  # how many actions there is room for
 
     @classmethod
     def fit(cls, canvas: Canvas, space: Box, rollouts: Rollouts) -> "ActionTable":
@@ -69,10 +61,9 @@ class ActionTable:
         lowest, highest = 1.3 * kind.body, 32 * unit
         row = min(max(most / count, lowest), highest)
         shown = min(count, int(most / row + 1e-9))
-        # the last line then says how many are left out
-        shown = shown if shown == count else shown - 1
-        lines = shown if shown == count else shown + 1
-        top = space.bottom - header - lines * row - footer
+        top = space.bottom - header - shown * row - footer
+        if shown < count:
+            shown -= 1  # the last line says how many are left out
         return cls(Box(space.left, top, space.right, space.bottom), header, row, footer, shown)
 
     def draw(self, canvas: Canvas, rollouts: Rollouts, judgements: Sequence[Judgement]) -> None:

@@ -8,6 +8,7 @@ under every action, so what differs between two actions is never chance.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -42,14 +43,10 @@ from studio.scene.picture.titles import (
 from studio.style.palette import LIGHT, Colour, Theme
 from studio.style.words import action_label
 
-LONGEST_ACTION = 2.0
-"""Playing one action takes no longer than this, s of the film."""
-
-PAUSE = 0.5
-"""How long the end of an action stands still, s."""
-
+# lengths of time in the film, s
+LONGEST_ACTION = 2.0  # playing one action takes no longer
+PAUSE = 0.5  # the end of an action stands still
 CLOSING_PICTURE = 2.5
-"""How long the closing picture is shown, s."""
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
 
@@ -79,13 +76,12 @@ def compose_film(
             f"within 0 to {rollouts.horizon:g} s"
         )
     times = frame_times(start, end, play_speed(rollouts.horizon), frames_per_second)
-    segments = []
-    for index in range(len(rollouts.actions)):
 
-        def frames(index: int = index) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
+    def frames(index: int) -> Iterator[PixelArray]:
+        return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
 
-        segments.append(Segment(len(times), frames))
+    actions = range(len(rollouts.actions))
+    segments = [Segment(len(times), partial(frames, index)) for index in actions]
     if end < rollouts.horizon:
         return segments
     held = round(CLOSING_PICTURE * frames_per_second)
@@ -120,21 +116,13 @@ def frame_times(start: float, end: float, speed: float, frames_per_second: int) 
 
 @dataclass(frozen=True)
 class FilmPage:
-    """What all frames share.
+    """What all frames share."""
 
-    Attributes:
-        canvas: a canvas with everything drawn that never changes.
-        view: the view of the scene.
-        side: the column beside the scene.
-        clock: the line below the scene.
-        strip: one cell an action, at the foot of the page.
-    """
-
-    canvas: Canvas
-    view: View
-    side: Box
-    clock: Box
-    strip: tuple[Box, ...]
+    canvas: Canvas  # with everything drawn that never changes
+    view: View  # of the scene
+    side: Box  # the column beside the scene
+    clock: Box  # the line below the scene
+    strip: tuple[Box, ...]  # one cell an action, at the foot of the page
 
 
 def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> FilmPage:
@@ -195,13 +183,8 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
     """Write the time, and what it has to do with real time, below the scene."""
     canvas.restore(still, box)
     size, count, faint = canvas.type.small, rollouts.count, canvas.theme.faint
-    clock = canvas.text(
-        (box.left, box.centre[1]),
-        f"{time:.1f} s of {rollouts.horizon:g} s",
-        canvas.type.body,
-        canvas.theme.ink,
-        SEMIBOLD,
-    )
+    at, told_time = (box.left, box.centre[1]), f"{time:.1f} s of {rollouts.horizon:g} s"
+    clock = canvas.text(at, told_time, canvas.type.body, canvas.theme.ink, SEMIBOLD)
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
     red = "red: contact" if rollouts.touched.any() else ""

@@ -20,15 +20,15 @@ def titles(rollouts: Rollouts) -> list[str]:
 
 def subtitles(rollouts: Rollouts) -> list[str]:
     """What was simulated in one line, the longest wording first."""
-    actions, count, steps, _ = rollouts.robot.shape
-    people, groups = len(rollouts.scene.pedestrians), len(rollouts.scene.groups)
-    crowd = counted(people, "pedestrian") + (f" in {counted(groups, 'group')}" if groups else "")
-    if groups and sum(map(len, rollouts.scene.groups)) < people:
-        crowd = f"{counted(people, 'pedestrian')}, {counted(groups, 'group')}"
-    horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
-    sizes = f"{counted(actions, 'action')} × {counted(count, 'rollout')}"
-    number = rollouts.scene.number
-    seed = f"seed {rollouts.seed}, number {number}" if number else f"seed {rollouts.seed}"
+    scene = rollouts.scene
+    crowd = counted(len(scene.pedestrians), "pedestrian")
+    if scene.groups:
+        in_groups = sum(map(len, scene.groups))
+        joint = ", " if in_groups < len(scene.pedestrians) else " in "
+        crowd += joint + counted(len(scene.groups), "group")
+    horizon = f"horizon {rollouts.horizon:g} s"
+    sizes = f"{counted(len(rollouts.actions), 'action')} × {counted(rollouts.count, 'rollout')}"
+    seed = f"seed {rollouts.seed}" + (f", number {scene.number}" if scene.number else "")
     return [
         f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · {seed}",
         f"{sizes} · {crowd} · {horizon} · {rollouts.model} · {seed}",
