@@ -100,19 +100,16 @@ def lay_out_comparison(
     icons_top = icons_bottom - icon_height
     scene_bottom = icons_top - line - 10 * unit
 
-    views, icons, counts = [], [], []
     count = rollouts.count
+    views, icons, counts = [], [], []
     room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
-        panel = Box(column.left, top + head, column.right, scene_bottom)
-        view = view_of(rollouts, panel)
-        _draw_stage(canvas, view, rollouts)
+        views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))
+        _draw_stage(canvas, views[side], rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
-        array = IconArray.fit(band, count, _PITCH * unit)
-        views.append(view)
-        icons.append(array)
-        left = array.box.right + 12 * unit
+        icons.append(IconArray.fit(band, count, _PITCH * unit))
+        left = icons[side].box.right + 12 * unit
         counts.append(Box(left, icons_top, column.right, icons_bottom))
     legend = Box(page.left, scene_bottom, columns[0].right, scene_bottom + line)
     draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
@@ -193,10 +190,8 @@ class Show:
     """A page on which outcomes appear; its canvas looks as the page does now."""
 
     def __init__(self, page: ComparisonPage) -> None:
-        self.canvas = page.canvas.copy()
-        self._page = page
-        rollouts = page.comparison.rollouts
-        theme = self.canvas.theme
+        self.canvas, self._page = page.canvas.copy(), page
+        rollouts, theme = page.comparison.rollouts, page.canvas.theme
         self._contact = rollouts.touched  # (2, K)
         self._colours = [theme.action_colour(name) for name in rollouts.names]
         self._scenes = [
@@ -204,22 +199,18 @@ class Show:
             for side, view in enumerate(page.views)
         ]
         self._plots = [
-            [
-                DotPlot(plot.rooms[side], plot.scale, side, self._contact[side])
-                for plot in page.plots
-            ]
-            for side in range(len(SIDES))
+            [DotPlot(plot.rooms[side], plot.scale, side, contact) for plot in page.plots]
+            for side, contact in enumerate(self._contact)
         ]
         self._counts = ["", ""]
 
     def keep(self, count: int) -> None:
         """Count the first `count` outcomes and leave their paths behind."""
-        canvas, page = self.canvas, self._page
-        total = self._contact.shape[1]
+        canvas, total = self.canvas, self._contact.shape[1]
         for side, colour in enumerate(self._colours):
             self._scenes[side].keep(count)
             touched = int(self._contact[side, :count].sum())
-            page.icons[side].draw(canvas, touched, count - touched, colour)
+            self._page.icons[side].draw(canvas, touched, count - touched, colour)
             for plot in self._plots[side]:
                 plot.draw(canvas, count, colour)
             self._counts[side] = contacts_told(touched, count, total)

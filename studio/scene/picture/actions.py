@@ -20,7 +20,7 @@ from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, rounded_number, signed
 
-_BINS = 24
+_BINS = 24  # of a histogram
 _NOTES = ["dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
 _BY_CPT = ("cumulative prospect theory", "CPT")
 

@@ -16,7 +16,7 @@ from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, number
 
-_BINS = 24
+_BINS = 24  # of a histogram
 _WIDEST_GAP = 2.0  # m; wider gaps count as this
 
 

@@ -43,11 +43,7 @@ def _frame(
     x_range: tuple[float, float],
     y_range: tuple[float, float],
 ) -> tuple[Axis, Axis]:
-    """Draw the title and the frame of a curve plot.
-
-    Returns:
-        Its horizontal and its vertical axis.
-    """
+    """Draw the title and the frame of a curve plot; returns its axes across and upwards."""
     kind, unit, theme, corner = canvas.type, canvas.unit, canvas.theme, (box.left, box.top)
     canvas.fit(corner, title, box.width, kind.heading, theme.ink, SEMIBOLD, line="top")
     panel = Box(box.left, box.top + 1.5 * kind.heading, box.right, box.bottom - 1.4 * kind.small)
@@ -93,11 +89,9 @@ def _draw_values(
     across, up = _frame(
         canvas, box, "Value", ["utility x", "x"], (-reach, reach), (lowest * 1.05, highest * 1.25)
     )
-    for x_or_y in (
-        Box(across.at(0.0), up.end, across.at(0.0) + canvas.hair, up.start),
-        Box(across.start, up.at(0.0), across.end, up.at(0.0) + canvas.hair),
-    ):
-        canvas.fill(x_or_y, canvas.theme.faint)
+    x_zero, y_zero, hair, faint = across.at(0.0), up.at(0.0), canvas.hair, canvas.theme.faint
+    canvas.fill(Box(x_zero, up.end, x_zero + hair, up.start), faint)
+    canvas.fill(Box(across.start, y_zero, across.end, y_zero + hair), faint)
     for judgement, curve in zip(judgements, curves, strict=True):
         line = np.stack([across.along(x), up.along(curve)], axis=-1)
         canvas.line(line, judgement.colour, 3 * canvas.unit)
@@ -117,9 +111,8 @@ def _draw_table(
         canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), theme.grid)
         name, *cells, pick = row.columns(widths, 2 * unit)
         colour, middle = judgement.colour, row.centre[1]
-        canvas.fill(
-            Box(name.left, middle - 2 * unit, name.left + 16 * unit, middle + 2 * unit), colour
-        )
+        swatch = Box(name.left, middle - 2 * unit, name.left + 16 * unit, middle + 2 * unit)
+        canvas.fill(swatch, colour)
         at, room = (name.left + 22 * unit, middle), name.width - 22 * unit
         canvas.fit(at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
         for given, cell in zip(judgement.parameters.numbers, cells, strict=True):

@@ -42,10 +42,8 @@ def draw_heading(
     """Write a title and below it a subtitle along the top of a page (px).
 
     Both are given in several wordings, the longest first. The title has some room (px) from the
-    left of the page on, the subtitle all of the page's width.
-
-    Returns:
-        The box of both, as wide as the page.
+    left of the page on, the subtitle all of the page's width. Returns the box of both, as wide as
+    the page.
     """
     kind, theme = canvas.type, canvas.theme
     at = (page.left, page.top)
@@ -61,9 +59,7 @@ def draw_heading_in_line(
     """Write a title of this size (px) at the left and a subtitle at the right of the page's top.
 
     Both are given in several wordings, the longest first. The subtitle stands a little lower (px).
-
-    Returns:
-        The box of the title.
+    Returns the box of the title.
     """
     page, theme = canvas.page, canvas.theme
     at = (page.left, page.top)

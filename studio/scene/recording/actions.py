@@ -78,15 +78,9 @@ def log_pedestrians(
         colors=np.where(in_full[:, None], theme.pedestrian, faint),
         draw_order=10.0,  # below paths and contacts
     )
-    log_people(
-        stream,
-        entities.pedestrians(rollouts.names[index]),
-        time_columns(rollouts),
-        people.reshape(times, -1, 2),
-        rollouts.scene.groups,
-        look,
-        theme,
-    )
+    path, when = entities.pedestrians(rollouts.names[index]), time_columns(rollouts)
+    places, groups = people.reshape(times, -1, 2), rollouts.scene.groups
+    log_people(stream, path, when, places, groups, look, theme)
 
 
 def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:

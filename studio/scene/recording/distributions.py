@@ -16,8 +16,9 @@ from studio.style.palette import LIGHT, Colour, Theme, blend
 from studio.style.ticks import round_step
 from studio.style.words import rounded_number
 
-PANEL_WIDTH, PANEL_HEIGHT = 1.0, 0.8
-PANEL_PITCH = PANEL_WIDTH + 0.36  # from the left of a panel to that of the next
+# lengths on the page
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
+PANEL_PITCH = PANEL_WIDTH + PANEL_GAP  # from the left of a panel to that of the next
 STROKE = 0.02  # how far apart the strokes that fill a bar are at most
 
 # how far the histogram of each of the `FEATURES` reaches from 0 at least
@@ -133,5 +134,5 @@ def bin_edges(measure: Measure) -> FloatArray:
 
 def distributions_bounds(rollouts: Rollouts) -> Bounds:
     """What a view of a figure of distributions must show."""
-    last = len(FEATURES) - (0 if rollouts.scene.pedestrians else 1)
-    return -0.25, -0.32, last * PANEL_PITCH + PANEL_WIDTH + 0.15, PANEL_HEIGHT + 0.25
+    panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
+    return -0.25, -0.32, panels * PANEL_PITCH - PANEL_GAP + 0.15, PANEL_HEIGHT + 0.25

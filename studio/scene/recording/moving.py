@@ -56,20 +56,16 @@ def log_people(
     """
     places = rounded(people)
     static: list[rr.AsComponents] = [look]
-    moving = [
-        *rr.Points2D.columns(positions=places.reshape(-1, 2)).partition(
-            [places.shape[1]] * len(places)
-        )
-    ]
+    points = rr.Points2D.columns(positions=places.reshape(-1, 2))
+    moving = [*points.partition([places.shape[1]] * len(places))]
     if groups:
         bars = group_bars(places, groups)  # (moments, bars, 2, 2)
         faint = blend(theme.pedestrian, theme.panel, 0.5)
         static.append(
             rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
         )
-        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
-            [bars.shape[1]] * len(bars)
-        )
+        lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
+        moving += lines.partition([bars.shape[1]] * len(bars))
     log_over_time(stream, path, times, static, moving)
 
 
@@ -83,14 +79,9 @@ def arrowheads(poses: FloatArray) -> FloatArray:
     """Where the corners of the arrowhead are on a robot at poses [N, 3], [N, 3, 2], m."""
     x, y, heading = poses.T[..., None]  # (N, 1) each
     ahead, left = ARROWHEAD.T
-    corners: FloatArray = np.stack(
-        [
-            x + ahead * np.cos(heading) - left * np.sin(heading),
-            y + ahead * np.sin(heading) + left * np.cos(heading),
-        ],
-        axis=-1,
-    )
-    return corners
+    cos, sin = np.cos(heading), np.sin(heading)
+    corners = [x + ahead * cos - left * sin, y + ahead * sin + left * cos]
+    return np.stack(corners, axis=-1)
 
 
 def group_bars(people: FloatArray, groups: tuple[tuple[int, ...], ...]) -> FloatArray:

@@ -61,8 +61,7 @@ def log_prospects(
             mark = left + MARK_LEFT + column * MARK_WIDTH
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
-    draw_words(drawing, TITLE_BOTTOM + raised)
-    name_teachers(drawing, judgements, len(names) * PANEL_PITCH)
+    draw_words(drawing, judgements, TITLE_BOTTOM + raised, len(names) * PANEL_PITCH)
     drawing.log(stream, entities.PROSPECTS)
     x = PANEL_PITCH * np.arange(len(names))[:, None] + (np.arange(count) + 0.5) / count
     y = UTILITY_BOTTOM + UTILITY_HEIGHT * utility_scale(ranked)
@@ -94,23 +93,21 @@ def stairs(left: float, heights: FloatArray) -> FloatArray:
     return np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
 
 
-def draw_words(drawing: Drawing, top: float) -> None:
-    """Say at the left what the levels are, and below the first panel how outcomes are ordered.
+def draw_words(
+    drawing: Drawing, judgements: tuple[Judgement, ...], top: float, right: float
+) -> None:
+    """Say what the levels are, how outcomes are ordered, and whose lines and marks are whose.
 
-    Top is where the highest titles are.
+    The highest titles are at the top; right of the panels the colours of the teachers stand.
     """
     drawing.text((WORDS_MIDDLE, top), "utility")
     # the viewer hangs words from their first line
     drawing.text((WORDS_MIDDLE, WEIGHT_HEIGHT / 2.0 + 0.08), "weight ÷\nprobability")
     drawing.text((0.5, -0.24), "worst → best")
-
-
-def name_teachers(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
-    """Say whose lines and marks have which colour, right of the last panel."""
     for row, judgement in enumerate(judgements):
         y = UTILITY_TOP - 0.32 * row
-        drawing.line([(left, y), (left + 0.15, y)], judgement.colour, 4.0)
-        drawing.text((left + 0.52, y), judgement.label)
+        drawing.line([(right, y), (right + 0.15, y)], judgement.colour, 4.0)
+        drawing.text((right + 0.52, y), judgement.label)
 
 
 def second_level(names: tuple[str, ...]) -> float:
