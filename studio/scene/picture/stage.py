@@ -88,7 +88,10 @@ def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
 
 
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
-    """Draw the robot's goal, a ring, or an arrowhead at the edge of the view; returns where, px."""
+    """Draw the robot's goal: a ring if it is in view, an arrowhead at the edge if it is not.
+
+    Returns where it was drawn, px.
+    """
     centre = view.to_pixels(goal)
     frame = view.box.inset(12 * canvas.unit)
     inside = np.clip(centre, (frame.left, frame.top), (frame.right, frame.bottom))

@@ -11,10 +11,10 @@ import rerun as rr
 
 from learners import decision_weights, value, weight
 from studio.arrays import Bounds, FloatArray
+from studio.recorder.axes import line_colour
 from studio.recorder.drawing import Drawing
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.style.palette import LIGHT
 from studio.style.ticks import round_ticks
 from studio.style.words import number
 
@@ -107,10 +107,10 @@ def log_panel(
     drawing.text((left + width / 2, top + 0.1 * height), panel.title)
     drawing.text((left + 0.75 * width, below), panel.across)
     for tick in panel.x:
-        drawing.line([(tick, bottom), (tick, top)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
+        drawing.line([(tick, bottom), (tick, top)], line_colour(tick))
         drawing.text((tick, below), number(tick))
     for tick in panel.y:
-        drawing.line([(left, tick), (right, tick)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
+        drawing.line([(left, tick), (right, tick)], line_colour(tick))
         drawing.text((beside, tick), number(tick))
     # the lowest curve last: it would vanish in the peaks of the others
     for row in sorted(range(len(judgements)), key=lambda row: -panel.curves[row].max()):

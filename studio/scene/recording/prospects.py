@@ -9,12 +9,12 @@ import rerun as rr
 from learners import decision_weights
 from scenes import Rollouts
 from studio.arrays import Bounds, FloatArray
-from studio.recorder.axes import Scale, linear
+from studio.recorder.axes import Scale, line_colour, linear
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.moving import rounded
-from studio.style.palette import LIGHT, Theme
+from studio.style.palette import Theme
 from studio.style.ticks import round_ticks
 from studio.style.words import number, short_label
 
@@ -83,8 +83,7 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
             drawing.text((TICKS_MIDDLE, y), number(tick))
         for left in PANEL_PITCH * np.arange(actions):
-            colour = LIGHT.faint if tick == 0.0 else LIGHT.grid
-            drawing.line([(left, y), (left + 1.0, y)], colour, 1.0)
+            drawing.line([(left, y), (left + 1.0, y)], line_colour(tick), 1.0)
 
 
 def stairs(left: float, heights: FloatArray) -> FloatArray:
