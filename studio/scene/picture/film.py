@@ -44,9 +44,9 @@ from studio.style.palette import LIGHT, Colour, Theme
 from studio.style.words import action_label
 
 # lengths of time in the film, s
-LONGEST_ACTION = 2.0  # playing one action takes no longer
-PAUSE = 0.5  # the end of an action stands still
-CLOSING_PICTURE = 2.5
+_LONGEST_ACTION = 2.0  # playing one action takes no longer
+_PAUSE = 0.5  # the end of an action stands still
+_CLOSING_PICTURE = 2.5
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
 
@@ -84,7 +84,7 @@ def compose_film(
     segments = [Segment(len(times), partial(frames, index)) for index in actions]
     if end < rollouts.horizon:
         return segments
-    held = round(CLOSING_PICTURE * frames_per_second)
+    held = round(_CLOSING_PICTURE * frames_per_second)
 
     def ending() -> Iterator[PixelArray]:
         picture = compose_picture(rollouts, judgements, size, theme).pixels
@@ -96,8 +96,8 @@ def compose_film(
 def play_speed(horizon: float) -> float:
     """How many times faster than real time the film runs."""
     return next(
-        (speed for speed in _SPEEDS if horizon / speed <= LONGEST_ACTION),
-        math.ceil(horizon / LONGEST_ACTION),
+        (speed for speed in _SPEEDS if horizon / speed <= _LONGEST_ACTION),
+        math.ceil(horizon / _LONGEST_ACTION),
     )
 
 
@@ -108,7 +108,7 @@ def frame_times(start: float, end: float, speed: float, frames_per_second: int) 
     """
     steps = max(1, round((end - start) / speed * frames_per_second))
     playing = np.linspace(start, end, steps + 1)
-    return np.concatenate([playing, np.full(round(PAUSE * frames_per_second), end)])
+    return np.concatenate([playing, np.full(round(_PAUSE * frames_per_second), end)])
 
 
 # The page
