@@ -19,17 +19,15 @@ SIDES = ("A", "B")
 OPENING = 0.6
 """How long both scenes are shown at rest before anything moves, s."""
 
-PLAYING = 20.0
-"""How long all outcomes together take, unless they are very few or very many, s."""
-
-SHORTEST_OUTCOME, LONGEST_OUTCOME = 0.1, 2.0
-"""How long one outcome takes at least and at most, s."""
-
 MOVING = 0.8
 """Share of an outcome's time in which it moves; after that its end stands still."""
 
 CLOSING = 3.0
 """How long the end is shown, s."""
+
+# how long outcomes play, s
+_PLAYING = 20.0  # all of them together, unless they are very few or very many
+_SHORTEST_OUTCOME, _LONGEST_OUTCOME = 0.1, 2.0  # at least and at most
 
 
 @dataclass(frozen=True)
@@ -94,12 +92,8 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
 def contacts_told(touched: int, ended: int, count: int) -> str:
     """In how many outcomes there was contact, in words; nothing before the first has ended.
 
-    A count that is not final says so.
-
-    Args:
-        touched: how many of the outcomes that have ended had contact.
-        ended: how many outcomes have ended.
-        count: how many outcomes there are.
+    Of `count` outcomes some have ended; some of these had contact. A count that is not final says
+    so.
     """
     if ended == count:
         return f"{touched} of {count} with contact"
@@ -114,4 +108,4 @@ def seconds_each(count: int) -> float:
     al., "Hypothetical outcome plots help untrained observers judge trends in ambiguous data", IEEE
     TVCG 2019).
     """
-    return min(max(PLAYING / count, SHORTEST_OUTCOME), LONGEST_OUTCOME)
+    return min(max(_PLAYING / count, _SHORTEST_OUTCOME), _LONGEST_OUTCOME)

@@ -22,34 +22,26 @@ from studio.style.ticks import round_range
 BINS = 24
 """How many bins a dot plot has."""
 
-APART = 2
-"""How many bins at the left set the lowest value apart: one of its own, and an empty one."""
-
 DOT_RADIUS = 0.42
 """Radius of a dot in pitches; a pitch is the distance from one dot to the next."""
 
-MOST_ROWS = 100
-"""How many rows of dots an icon array has at most, and how many dots stand abreast in a bin."""
+_APART = 2  # bins at the left that set the lowest value apart: one of its own, and an empty one
+_MOST_ROWS = 100  # of dots in an icon array; no more stand abreast in a bin
 
 
 @dataclass(frozen=True)
 class DotMeasure:
     """What a dot plot shows of every outcome.
 
-    Attributes:
-        names: what is measured, with its unit, the longest wording first.
-        values: [A, K].
-        low: left end of the axis, 0 unless there are values below.
-        high: right end of the axis.
-        apart: how many bins come before those of the axis: 0, or `APART` if the first of all is
-            for nothing but the lowest value.
+    If bins are set apart before those of the axis, the first of all is for nothing but the lowest
+    value.
     """
 
-    names: tuple[str, ...]
-    values: FloatArray
-    low: float
-    high: float
-    apart: int = 0
+    names: tuple[str, ...]  # what is measured, with its unit, the longest wording first
+    values: FloatArray  # [A, K]
+    low: float  # left end of the axis, 0 unless there are values below
+    high: float  # right end of the axis
+    apart: int = 0  # how many bins come before those of the axis
 
     def bins(self) -> IntArray:
         """The bin that each outcome falls into, [A, K]."""
@@ -88,7 +80,7 @@ def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
     if rollouts.scene.pedestrians:
         ends = round_range(0.0, max(float(gap.max()), 0.1))
         names = ("smallest gap to a person, m", "gap to a person, m", "gap")
-        shown.append(DotMeasure(names, gap, *ends, APART))
+        shown.append(DotMeasure(names, gap, *ends, _APART))
     return tuple(shown)
 
 
@@ -98,16 +90,11 @@ class IconGrid:
 
     So no dot ever changes its colour once it has one, and in the end contacts and the rest meet.
     Lengths are in the unit of the room that the array was fitted to.
-
-    Attributes:
-        count: how many outcomes there are.
-        rows: how many dots a column has.
-        pitch: distance from one dot to the next.
     """
 
-    count: int
-    rows: int
-    pitch: float
+    count: int  # of outcomes
+    rows: int  # how many dots a column has
+    pitch: float  # distance from one dot to the next
 
     @classmethod
     def fit(cls, width: float, height: float, count: int, largest_pitch: float) -> "IconGrid":
@@ -116,7 +103,7 @@ class IconGrid:
         def pitch(rows: int) -> float:
             return min(width / math.ceil(count / rows), height / rows, largest_pitch)
 
-        rows = max(range(1, min(count, MOST_ROWS) + 1), key=pitch)
+        rows = max(range(1, min(count, _MOST_ROWS) + 1), key=pitch)
         return cls(count, rows, pitch(rows))
 
     @property
@@ -141,18 +128,12 @@ class DotScale:
     """How the dots of a measure are stacked, under every action alike.
 
     Lengths are in the unit of the room that the scale was fitted to.
-
-    Attributes:
-        bins: [A, K], the bin that each outcome falls into.
-        width: width of a bin.
-        abreast: how many dots stand side by side in a bin.
-        pitch: distance from one dot to the next.
     """
 
-    bins: IntArray
-    width: float
-    abreast: int
-    pitch: float
+    bins: IntArray  # [A, K], the bin that each outcome falls into
+    width: float  # of a bin
+    abreast: int  # how many dots stand side by side in a bin
+    pitch: float  # distance from one dot to the next
 
     @classmethod
     def fit_all(
@@ -174,7 +155,7 @@ class DotScale:
             stacked = math.ceil(tallest / abreast)
             return min(width / BINS / abreast, height / stacked, largest_pitch)
 
-        abreast = max(range(1, MOST_ROWS + 1), key=pitch)
+        abreast = max(range(1, _MOST_ROWS + 1), key=pitch)
         return cls(bins, width / BINS, abreast, pitch(abreast))
 
     def place(self, place: int, number: int) -> tuple[float, float]:

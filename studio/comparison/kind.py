@@ -18,15 +18,10 @@ SPAN = "outcomes of a comparison"
 
 @dataclass(frozen=True)
 class ComparisonRecording:
-    """Two actions side by side, as recorded.
+    """Two actions side by side, as recorded."""
 
-    Attributes:
-        comparison: of the two actions; positions and headings are rounded as the recording is.
-        judgements: what each teacher thinks of these two, left then right.
-    """
-
-    comparison: Comparison
-    judgements: tuple[Judgement, ...]
+    comparison: Comparison  # positions and headings are rounded as the recording is
+    judgements: tuple[Judgement, ...]  # what each teacher thinks of these two, left then right
 
     still_is_cut = False
 

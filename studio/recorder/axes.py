@@ -70,12 +70,12 @@ class Axes:
         """Draw lines at all ticks and write the words."""
         for tick, words in zip(self.x.ticks, self.x.words, strict=True):
             across = float(self.x(tick))
-            drawing.line([(across, 0.0), (across, self.height)], _line_colour(tick), 1.0)
+            drawing.line([(across, 0.0), (across, self.height)], line_colour(tick), 1.0)
             if words:
                 drawing.text((across, -0.08), words)
         for tick, words in zip(self.y.ticks, self.y.words, strict=True):
             up = self.height * float(self.y(tick))
-            drawing.line([(0.0, up), (1.0, up)], _line_colour(tick), 1.0)
+            drawing.line([(0.0, up), (1.0, up)], line_colour(tick), 1.0)
             if words:
                 drawing.text((-0.085, up), words)
 
@@ -131,5 +131,6 @@ def ratio_scale(
     return Scale(ticks, tuple(f"{number(tick)}{unit}" for tick in ticks), True)
 
 
-def _line_colour(tick: float) -> Colour:
+def line_colour(tick: float) -> Colour:
+    """The colour of the line at a tick, of which the one at 0 stands out."""
     return LIGHT.faint if tick == 0.0 else LIGHT.grid

@@ -3,17 +3,12 @@
 import numpy as np
 
 from scenes import Rollouts
-from studio.arrays import Bounds, FloatArray
+from studio.arrays import Bounds
 from studio.scene.measures import gaps_to_people
 
-SURROUNDINGS = 1.6
-"""How far the view reaches beyond everywhere the robot gets, if there is anything to see, m."""
-
-MARGIN = 0.4
-"""How far the edge of the view is from the outermost thing in it, m."""
-
-NEAR = 1.0
-"""Who comes closer to the robot than this gap matters to the view, m."""
+SURROUNDINGS = 1.6  # beyond everywhere the robot gets, where there is anything to see, m
+MARGIN = 0.4  # from the outermost thing in the view to its edge, m
+NEAR = 1.0  # who comes closer to the robot than this gap matters to the view, m
 
 
 def bounds_to_show(rollouts: Rollouts) -> Bounds:
@@ -35,17 +30,12 @@ def bounds_of_shape(rollouts: Rollouts, width: float, height: float) -> Bounds:
     low, high = np.array([x0, y0]), np.array([x1, y1])
     shape = np.array([width, height])
     half = shape * ((high - low) / shape).max() / 2
-    telling = np.concatenate([_starts_of_those_near(rollouts), [rollouts.scene.robot.goal]])
+    comes_near = (gaps_to_people(rollouts) < NEAR).any(axis=(0, 1, 2))
+    scene = rollouts.scene
+    telling = np.concatenate([scene.starts[comes_near], [scene.robot.goal]])
     wanted_low = np.minimum(low, telling.min(axis=0) - MARGIN)
     wanted_high = np.maximum(high, telling.max(axis=0) + MARGIN)
     # whatever else is in view, the bounds to show are
     centre = np.clip((wanted_low + wanted_high) / 2, high - half, low + half)
     (x0, y0), (x1, y1) = centre - half, centre + half
     return float(x0), float(y0), float(x1), float(y1)
-
-
-def _starts_of_those_near(rollouts: Rollouts) -> FloatArray:
-    """Where the people start [N, 2] who come near the robot in any rollout of any action, m."""
-    is_near = (gaps_to_people(rollouts) < NEAR).any(axis=(0, 1, 2))
-    starts: FloatArray = rollouts.scene.starts[is_near]
-    return starts

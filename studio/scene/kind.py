@@ -18,15 +18,10 @@ SPAN = "s of a scene"
 
 @dataclass(frozen=True)
 class SceneRecording:
-    """A scene under all its actions, as recorded.
+    """A scene under all its actions, as recorded."""
 
-    Attributes:
-        rollouts: what was simulated; positions and headings are rounded as the recording is.
-        judgements: what each teacher thinks of the actions.
-    """
-
-    rollouts: Rollouts
-    judgements: tuple[Judgement, ...]
+    rollouts: Rollouts  # positions and headings are rounded as the recording is
+    judgements: tuple[Judgement, ...]  # what each teacher thinks of the actions
 
     still_is_cut = False
 

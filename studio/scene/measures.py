@@ -15,17 +15,11 @@ from studio.arrays import BoolArray, FloatArray, IntArray
 
 @dataclass(frozen=True)
 class Measure:
-    """One feature of the outcomes, in metres where it is a length.
+    """One feature of the outcomes, in metres where it is a length."""
 
-    Attributes:
-        feature: one of `FEATURES`.
-        unit: of the values; empty if they have none.
-        values: [A, K].
-    """
-
-    feature: str
-    unit: str
-    values: FloatArray
+    feature: str  # one of `FEATURES`
+    unit: str  # of the values; empty if they have none
+    values: FloatArray  # [A, K]
 
     @property
     def title(self) -> str:

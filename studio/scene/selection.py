@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from scenes import Rollouts
-from studio.arrays import FloatArray
 from studio.errors import InputError
 
 _BY_ACTION = (
@@ -45,12 +45,8 @@ def only(rollouts: Rollouts, names: Sequence[str]) -> Rollouts:
     places = places_of(names, known)
     if len(set(names)) < len(names):
         raise InputError(f"actions: {', '.join(names)}: each can be taken once")
-    arrays: dict[str, FloatArray] = {field: getattr(rollouts, field) for field in _BY_ACTION}
-    taken = {field: array[places] for field, array in arrays.items()}
+    taken: dict[str, Any] = {field: getattr(rollouts, field)[places] for field in _BY_ACTION}
     for array in taken.values():
         array.setflags(write=False)
-    return replace(
-        rollouts,
-        actions=tuple(rollouts.actions[place] for place in places),
-        **taken,  # type: ignore[arg-type]
-    )
+    actions = tuple(rollouts.actions[place] for place in places)
+    return replace(rollouts, actions=actions, **taken)

@@ -71,13 +71,8 @@ def find_scene(source: Source) -> Scene:
 def numbered_scene(family: str, pattern: str | None, seed: int, number: int) -> Scene:
     """A generated scene under a name of its own, which none of its family shares.
 
-    Recorded, it does not replace the family's own recording.
-
-    Args:
-        family: name of the family.
-        pattern: how people meet; the family's first pattern if left out.
-        seed: of the series of scenes.
-        number: which scene of the series.
+    Recorded, it does not replace the family's own recording. People meet in the family's first
+    pattern if none is given.
 
     Raises:
         InputError: if there is no such scene (`scenes.InputError`).

@@ -9,7 +9,6 @@ from studio.comparison.dots import BINS, DOT_RADIUS, DotMeasure, DotScale, IconG
 from studio.painter.axes import Axis, draw_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.scene.picture.titles import fit_text
 from studio.style.palette import Colour, blend
 from studio.style.ticks import ticks
 
@@ -18,15 +17,10 @@ _SMALLEST_PITCH = 2.0  # px; closer dots cannot be told apart, so bars stand for
 
 @dataclass(frozen=True)
 class IconArray:
-    """One dot an outcome: those in contact fill up from the left, the rest from the right.
+    """One dot an outcome: those in contact fill up from the left, the rest from the right."""
 
-    Attributes:
-        box: the box that the array takes up, px.
-        grid: where the dots lie in the box.
-    """
-
-    box: Box
-    grid: IconGrid
+    box: Box  # that the array takes up
+    grid: IconGrid  # where the dots lie in the box
 
     @classmethod
     def fit(cls, room: Box, count: int, largest_pitch: float) -> "IconArray":
@@ -99,13 +93,9 @@ class DotPlot:
 
 @dataclass(frozen=True)
 class DotAxis(Axis):
-    """The axis of a measure, whose lowest value may be set apart.
+    """The axis of a measure, whose lowest value may be set apart."""
 
-    Attributes:
-        measure: what lies along it.
-    """
-
-    measure: DotMeasure
+    measure: DotMeasure  # what lies along it
 
     def at(self, value: float) -> float:
         """Where a value lies, px."""
@@ -127,4 +117,4 @@ def draw_dot_axis(canvas: Canvas, room: Box, measure: DotMeasure) -> None:
     top = room.bottom + 5 * unit
     draw_ticks(canvas, axis, top, ticks(measure.low, measure.high, 5))
     at, ink = (room.centre[0], top + 1.1 * small), canvas.theme.ink
-    fit_text(canvas, at, measure.names, room.width, small, ink, anchor="centre", line="top")
+    canvas.fit(at, measure.names, room.width, small, ink, anchor="centre", line="top")

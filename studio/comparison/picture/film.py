@@ -3,8 +3,9 @@
 The k-th outcome plays on both sides at once: the same people with the same luck.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -23,9 +24,7 @@ from studio.scene.picture.titles import joined
 from studio.style.palette import LIGHT, Theme
 from studio.style.words import counted
 
-MOST_PLAYED = 300
-"""How many outcomes move at most; the paths of further ones appear together with theirs."""
-
+_MOST_PLAYED = 300  # outcomes that move; the paths of further ones appear together with theirs
 _SEGMENTS = 6  # that the outcomes are cut into; each costs a key frame and draws what came before
 
 
@@ -64,38 +63,30 @@ def compose_comparison_film(
         pixels = compose_comparison_picture(comparison, size, theme).pixels
         return (pixels for _ in range(ending))
 
-    segments = [Segment(opening, at_rest)] if first == 1 else []
-    for part in np.array_split(np.array(turns), min(_SEGMENTS, len(turns))):
+    def frames(part: Sequence[int]) -> Iterator[PixelArray]:
+        return (canvas.pixels for canvas in play_outcomes(page, pace, part))
 
-        def frames(part: range = range(part[0], part[-1] + 1)) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play_outcomes(page, pace, part))
-
-        segments.append(Segment(len(part) * pace.frames, frames))
-    return [*segments, Segment(ending, closing)] if last == count else segments
+    before = [Segment(opening, at_rest)] if first == 1 else []
+    after = [Segment(ending, closing)] if last == count else []
+    parts = [part.tolist() for part in np.array_split(turns, min(_SEGMENTS, len(turns)))]
+    playing = [Segment(len(part) * pace.frames, partial(frames, part)) for part in parts]
+    return [*before, *playing, *after]
 
 
 @dataclass(frozen=True)
 class Pace:
-    """How outcomes follow one another.
+    """How outcomes follow one another."""
 
-    Attributes:
-        count: how many outcomes there are.
-        turns: how many of the outcomes move, one after the other.
-        frames: how many frames each of these has.
-        moving: in how many of its frames an outcome moves; in the rest it stands at its end.
-        frames_per_second: of the film.
-    """
-
-    count: int
-    turns: int
-    frames: int
-    moving: int
-    frames_per_second: int
+    count: int  # of outcomes
+    turns: int  # how many of the outcomes move, one after the other
+    frames: int  # how many frames each of these has
+    moving: int  # in how many of its frames an outcome moves; in the rest it stands at its end
+    frames_per_second: int  # of the film
 
     @classmethod
     def of(cls, count: int, frames_per_second: int) -> "Pace":
         """The pace at which `count` outcomes are shown."""
-        turns = min(count, MOST_PLAYED)
+        turns = min(count, _MOST_PLAYED)
         frames = max(1, round(seconds_each(turns) * frames_per_second))
         return cls(count, turns, frames, max(1, round(MOVING * frames)), frames_per_second)
 
@@ -117,14 +108,14 @@ def scenes_at_rest(page: ComparisonPage) -> Canvas:
     return show.canvas
 
 
-def play_outcomes(page: ComparisonPage, pace: Pace, turns: range) -> Iterator[Canvas]:
-    """Draw the frames of some turns.
+def play_outcomes(page: ComparisonPage, pace: Pace, turns: Sequence[int]) -> Iterator[Canvas]:
+    """Draw the frames of some turns that follow one another.
 
     Yields:
         One and the same canvas, drawn anew for each frame.
     """
     show, rollouts = Show(page), page.comparison.rollouts
-    show.keep(pace.shown(turns.start))
+    show.keep(pace.shown(turns[0]))
     last = rollouts.steps
     moving: FloatArray = np.linspace(0.0, last, pace.moving + 1)[1:-1]
     speed = f"{float(f'{pace.times_real(rollouts.horizon):.2g}'):g}× real time"

@@ -29,14 +29,14 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
-from studio.scene.picture.titles import draw_heading_in_line, fit_text, joined
-from studio.style.palette import LIGHT, Theme, contrast
+from studio.scene.picture.titles import draw_heading_in_line, joined
+from studio.style.palette import LIGHT, Theme
 from studio.style.words import action_label, counted
 
 SIZE = (1600, 900)
 """Width and height of the picture unless one asks for others, px."""
 
-# lengths on the reference page that the unit of a canvas belongs to
+# lengths in units of the page
 _GAP = 48  # between the sides
 _DOTS = 150  # height of the room for dots
 _PITCH, _DOT_PITCH = 22, 15  # the largest distance from one icon to the next, and of dots
@@ -72,25 +72,15 @@ class Plot:
 
 @dataclass(frozen=True)
 class ComparisonPage:
-    """What all frames share; views, icons and counts have an entry a side.
-
-    Attributes:
-        comparison: what is compared.
-        canvas: a canvas with everything drawn that never changes.
-        views: views of the scene.
-        legend: the line below the scenes.
-        icons: arrays of icons.
-        counts: where the number of contacts is told.
-        plots: the dot plots, one a measure.
-    """
+    """What all frames share; views, icons and counts have an entry a side."""
 
     comparison: Comparison
-    canvas: Canvas
-    views: tuple[View, ...]
-    legend: Box
+    canvas: Canvas  # with everything drawn that never changes
+    views: tuple[View, ...]  # of the scene
+    legend: Box  # the line below the scenes
     icons: tuple[IconArray, ...]
-    counts: tuple[Box, ...]
-    plots: tuple[Plot, ...]
+    counts: tuple[Box, ...]  # where the number of contacts is told
+    plots: tuple[Plot, ...]  # one a measure
 
 
 def lay_out_comparison(
@@ -110,19 +100,16 @@ def lay_out_comparison(
     icons_top = icons_bottom - icon_height
     scene_bottom = icons_top - line - 10 * unit
 
-    views, icons, counts = [], [], []
     count = rollouts.count
+    views, icons, counts = [], [], []
     room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
-        panel = Box(column.left, top + head, column.right, scene_bottom)
-        view = view_of(rollouts, panel)
-        _draw_stage(canvas, view, rollouts)
+        views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))
+        _draw_stage(canvas, views[side], rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
-        array = IconArray.fit(band, count, _PITCH * unit)
-        views.append(view)
-        icons.append(array)
-        left = array.box.right + 12 * unit
+        icons.append(IconArray.fit(band, count, _PITCH * unit))
+        left = icons[side].box.right + 12 * unit
         counts.append(Box(left, icons_top, column.right, icons_bottom))
     legend = Box(page.left, scene_bottom, columns[0].right, scene_bottom + line)
     draw_scale_bar(canvas, views[1], page.right, scene_bottom + 1.25 * kind.small)
@@ -149,11 +136,11 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     tall = 1.5 * kind.heading
     badge = Box(box.left, box.top, box.left + tall, box.top + tall)
     canvas.rounded(badge, 0.2 * tall, colour)
-    paper = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
+    paper = theme.ink_on(colour)
     canvas.text(badge.centre, SIDES[side], kind.heading, paper, SEMIBOLD, anchor="centre")
     left = badge.right + 0.5 * kind.heading
     at, room, ink = (left, badge.centre[1]), box.right - left, theme.legible(colour)
-    fit_text(canvas, at, action_label(name), room, kind.heading, ink, SEMIBOLD)
+    canvas.fit(at, action_label(name), room, kind.heading, ink, SEMIBOLD)
 
 
 def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
@@ -203,10 +190,8 @@ class Show:
     """A page on which outcomes appear; its canvas looks as the page does now."""
 
     def __init__(self, page: ComparisonPage) -> None:
-        self.canvas = page.canvas.copy()
-        self._page = page
-        rollouts = page.comparison.rollouts
-        theme = self.canvas.theme
+        self.canvas, self._page = page.canvas.copy(), page
+        rollouts, theme = page.comparison.rollouts, page.canvas.theme
         self._contact = rollouts.touched  # (2, K)
         self._colours = [theme.action_colour(name) for name in rollouts.names]
         self._scenes = [
@@ -214,22 +199,18 @@ class Show:
             for side, view in enumerate(page.views)
         ]
         self._plots = [
-            [
-                DotPlot(plot.rooms[side], plot.scale, side, self._contact[side])
-                for plot in page.plots
-            ]
-            for side in range(len(SIDES))
+            [DotPlot(plot.rooms[side], plot.scale, side, contact) for plot in page.plots]
+            for side, contact in enumerate(self._contact)
         ]
         self._counts = ["", ""]
 
     def keep(self, count: int) -> None:
         """Count the first `count` outcomes and leave their paths behind."""
-        canvas, page = self.canvas, self._page
-        total = self._contact.shape[1]
+        canvas, total = self.canvas, self._contact.shape[1]
         for side, colour in enumerate(self._colours):
             self._scenes[side].keep(count)
             touched = int(self._contact[side, :count].sum())
-            page.icons[side].draw(canvas, touched, count - touched, colour)
+            self._page.icons[side].draw(canvas, touched, count - touched, colour)
             for plot in self._plots[side]:
                 plot.draw(canvas, count, colour)
             self._counts[side] = contacts_told(touched, count, total)
@@ -244,7 +225,7 @@ class Show:
             canvas.text((box.left, box.centre[1]), told, kind.heading, ink, SEMIBOLD)
         canvas.restore(page.canvas, page.legend)
         at, room = (page.legend.left, page.legend.top + 1.25 * kind.small), page.legend.width
-        fit_text(canvas, at, legends, room, kind.small, canvas.theme.faint, line="base")
+        canvas.fit(at, legends, room, kind.small, canvas.theme.faint, line="base")
 
     def draw_at_rest(self) -> None:
         """Draw both scenes with everybody where the scene has them at the start."""

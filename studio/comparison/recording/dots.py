@@ -12,9 +12,9 @@ from scenes import Rollouts
 from studio.arrays import BoolArray, Bounds, FloatArray
 from studio.comparison.comparison import OPENING, contacts_told, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
+from studio.comparison.recording import entities
 from studio.comparison.recording.story import ends, story_times
 from studio.recorder.drawing import Drawing
-from studio.scene.recording import entities
 from studio.scene.recording.moving import log_over_time
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks
@@ -23,17 +23,13 @@ from studio.style.words import number
 BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
 """What a view of the page must show."""
 
-ICONS_TOP, ICONS_HEIGHT, ICONS_WIDTH, ICON_PITCH = 0.32, 0.06, 0.72, 0.03
-"""Where the array of icons lies, and how far apart its icons are at most."""
-
-DOTS_HEIGHT, DOT_PITCH, PLOT_GAP = 0.21, 0.02, 0.08
-"""Height of the dot plots, how far apart their dots are at most, and the gap between two plots."""
-
-COUNT_WIDTH = 0.22
-"""About the width of the words right of the icons."""
-
-PLAYING_HEIGHT, COUNT_HEIGHT = 0.33, 0.29
-"""Where it says which outcome plays, and how many had contact."""
+# lengths on the page
+ICONS_TOP, ICONS_WIDTH, ICONS_HEIGHT = 0.32, 0.72, 0.06  # of the room for the array of icons
+DOTS_HEIGHT = 0.21  # of the dot plots
+PLOT_GAP = 0.08  # between two dot plots
+ICON_PITCH, DOT_PITCH = 0.03, 0.02  # from one icon or dot to the next at most
+COUNT_WIDTH = 0.22  # of the words right of the icons, about
+PLAYING_HEIGHT, COUNT_HEIGHT = 0.33, 0.29  # where these say what plays, and count contacts
 
 
 def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:

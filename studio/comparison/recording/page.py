@@ -1,10 +1,10 @@
 """The page about a recording of two actions, in Markdown."""
 
 from studio.comparison.comparison import QUESTION, SIDES, Comparison
+from studio.comparison.recording import entities
 from studio.recorder.markdown import plain
 from studio.scene.again import command_again, how_to_make_again
 from studio.scene.judgements import Judgement
-from studio.scene.recording import entities
 from studio.scene.recording.pages import outcome_table
 from studio.style.words import action_label, counted, number
 

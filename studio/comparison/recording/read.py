@@ -1,9 +1,9 @@
 """Read two actions side by side back from their recording."""
 
 from studio.comparison.comparison import Comparison
+from studio.comparison.recording import entities
 from studio.recorder.contents import Contents
 from studio.scene.judgements import Judgement
-from studio.scene.recording import entities
 from studio.scene.recording.read import read_scene
 
 

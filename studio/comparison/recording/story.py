@@ -14,8 +14,8 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.comparison.comparison import CLOSING, MOVING, OPENING, seconds_each
+from studio.comparison.recording import entities
 from studio.scene.measures import touched_by
-from studio.scene.recording import entities
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
     arrowheads,
@@ -29,8 +29,7 @@ from studio.style.palette import Theme, blend
 
 Number = TypeVar("Number", bound=np.generic)
 
-POSES = 20
-"""How many poses of an outcome are shown after its first; more would pass too fast to see."""
+POSES = 20  # of an outcome that are shown after its first; more would pass too fast to see
 
 
 def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
@@ -45,8 +44,8 @@ def log_moving_robot(
     stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
 ) -> None:
     """Show the robot with an arrowhead, and the way that it has come in this outcome."""
-    path = entities.story(rollouts.names[side])
-    steps, when, robot = shown_steps(rollouts), [moments(rollouts)], rollouts.scene.robot
+    name, robot = rollouts.names[side], rollouts.scene.robot
+    path, steps, when = entities.story(name), shown_steps(rollouts), [moments(rollouts)]
     rest = np.array([*robot.start, robot.start_heading])
     poses = with_rest(rollouts.robot[side][:, steps].reshape(-1, 3), rest)
     touched = touched_by(rollouts.contact_step[side][:, None], steps)  # (K, poses)
@@ -66,11 +65,8 @@ def log_moving_robot(
         rounded(way[:, :2] if len(way) > 1 else way[:, :2].repeat(2, axis=0))
         for way in (nowhere, *ways, nowhere, nowhere)
     ]
-    line = rr.LineStrips2D.from_fields(
-        colors=theme.action_colour(rollouts.names[side]),
-        radii=rr.Radius.ui_points(1.6),
-        draw_order=25.0,
-    )
+    colour, pen = theme.action_colour(name), rr.Radius.ui_points(1.6)
+    line = rr.LineStrips2D.from_fields(colors=colour, radii=pen, draw_order=25.0)
     log_over_time(stream, f"{path}/way", when, [line], rr.LineStrips2D.columns(strips=strips))
 
 
@@ -79,18 +75,11 @@ def log_moving_people(
 ) -> None:
     """Show the people, and bars that join those of a group."""
     people = rollouts.pedestrians[side][:, shown_steps(rollouts)]  # (K, poses, P, 2)
-    look = rr.Points2D.from_fields(
-        radii=PEDESTRIAN_RADIUS, colors=theme.pedestrian, draw_order=10.0
-    )
-    log_people(
-        stream,
-        f"{entities.story(rollouts.names[side])}/pedestrians",
-        [moments(rollouts)],
-        with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts),
-        rollouts.scene.groups,
-        look,
-        theme,
-    )
+    places = with_rest(people.reshape(-1, *people.shape[2:]), rollouts.scene.starts)
+    grey, radius = theme.pedestrian, PEDESTRIAN_RADIUS
+    look = rr.Points2D.from_fields(radii=radius, colors=grey, draw_order=10.0)
+    path, when = f"{entities.story(rollouts.names[side])}/pedestrians", [moments(rollouts)]
+    log_people(stream, path, when, places, rollouts.scene.groups, look, theme)
 
 
 def log_gathering_paths(

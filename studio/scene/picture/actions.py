@@ -15,12 +15,12 @@ from studio.painter.lettering import REGULAR, SEMIBOLD
 from studio.painter.marks import draw_histogram, draw_icons, icon_pitch
 from studio.scene.judgements import Judgement
 from studio.scene.measures import Measure, measures
-from studio.scene.picture.titles import fit_text, joined
-from studio.style.palette import Colour, blend, contrast
+from studio.scene.picture.titles import joined
+from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, rounded_number, signed
 
-_BINS = 24
+_BINS = 24  # of a histogram
 _NOTES = ["dot: mean · red: rollouts with contact", "dot: mean · red: with contact"]
 _BY_CPT = ("cumulative prospect theory", "CPT")
 
@@ -44,21 +44,13 @@ def _bins(measure: Measure) -> tuple[FloatArray, list[float]]:
 
 @dataclass(frozen=True)
 class ActionTable:
-    """Where the table of actions lies.
+    """Where the table of actions lies."""
 
-    Attributes:
-        box: the whole table.
-        header: height of the header, px.
-        row: height of a row, px.
-        footer: height of the line of ticks under the rows, px.
-        shown: how many actions there is room for.
-    """
-
-    box: Box
-    header: float
-    row: float
-    footer: float
-    shown: int
+    box: Box  # the whole table
+    header: float  # height, px
+    row: float  # height, px
+    footer: float  # height of the line of ticks under the rows, px
+    shown: int  # how many actions there is room for
 
     @classmethod
     def fit(cls, canvas: Canvas, space: Box, rollouts: Rollouts) -> "ActionTable":
@@ -69,10 +61,9 @@ class ActionTable:
         lowest, highest = 1.3 * kind.body, 32 * unit
         row = min(max(most / count, lowest), highest)
         shown = min(count, int(most / row + 1e-9))
-        # the last line then says how many are left out
-        shown = shown if shown == count else shown - 1
-        lines = shown if shown == count else shown + 1
-        top = space.bottom - header - lines * row - footer
+        top = space.bottom - header - shown * row - footer
+        if shown < count:
+            shown -= 1  # the last line says how many are left out
         return cls(Box(space.left, top, space.right, space.bottom), header, row, footer, shown)
 
     def draw(self, canvas: Canvas, rollouts: Rollouts, judgements: Sequence[Judgement]) -> None:
@@ -97,7 +88,7 @@ class ActionTable:
         """Write a note below the table, from its left or its right end on."""
         top = self.box.bottom - self.footer + 8 * canvas.unit
         size, faint = canvas.type.small, canvas.theme.faint
-        fit_text(canvas, (at, top), wordings, room, size, faint, anchor=anchor, line="top")
+        canvas.fit((at, top), wordings, room, size, faint, anchor=anchor, line="top")
 
     def _rows(self, column: Box) -> list[Box]:
         """The cells of one column."""
@@ -122,13 +113,13 @@ class ActionTable:
             left_out = f"and {count - self.shown} more actions"
             wordings = [f"{left_out} that there is no room for", left_out]
             at, faint = (self.box.left, top + self.row / 2), canvas.theme.faint
-            fit_text(canvas, at, wordings, room, canvas.type.small, faint)
+            canvas.fit(at, wordings, room, canvas.type.small, faint)
 
     def _head(self, canvas: Canvas, column: Box, title: str, below: str, colour: Colour) -> None:
         kind, width, at = canvas.type, column.width, (column.left, column.top)
-        box = fit_text(canvas, at, title, width, kind.heading, colour, SEMIBOLD, line="top")
+        box = canvas.fit(at, title, width, kind.heading, colour, SEMIBOLD, line="top")
         at = (column.left, box.bottom + 1)
-        fit_text(canvas, at, below, width, kind.small, canvas.theme.faint, line="top")
+        canvas.fit(at, below, width, kind.small, canvas.theme.faint, line="top")
 
     def _draw_names(self, canvas: Canvas, column: Box, rollouts: Rollouts) -> None:
         unit, size = canvas.unit, canvas.type.body
@@ -181,7 +172,7 @@ class ActionTable:
                 half = min(0.75 * size, row.height / 2 - canvas.hair)
                 pill = Box(row.left, middle - half, row.left + width, middle + half)
                 canvas.rounded(pill, 5 * unit, colour)
-                ink = max(theme.ground, theme.ink, key=lambda ink: contrast(ink, colour))
+                ink = theme.ink_on(colour)
                 weight = SEMIBOLD
             canvas.text((right, middle), text, size, ink, weight, anchor="right")
 

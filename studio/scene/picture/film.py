@@ -8,6 +8,7 @@ under every action, so what differs between two actions is never chance.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -35,7 +36,6 @@ from studio.scene.picture.stage import (
 from studio.scene.picture.titles import (
     contacts_counted,
     draw_heading_in_line,
-    fit_text,
     joined,
     subtitles,
     titles,
@@ -43,14 +43,10 @@ from studio.scene.picture.titles import (
 from studio.style.palette import LIGHT, Colour, Theme
 from studio.style.words import action_label
 
-LONGEST_ACTION = 2.0
-"""Playing one action takes no longer than this, s of the film."""
-
-PAUSE = 0.5
-"""How long the end of an action stands still, s."""
-
-CLOSING_PICTURE = 2.5
-"""How long the closing picture is shown, s."""
+# lengths of time in the film, s
+_LONGEST_ACTION = 2.0  # playing one action takes no longer
+_PAUSE = 0.5  # the end of an action stands still
+_CLOSING_PICTURE = 2.5
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
 
@@ -80,16 +76,15 @@ def compose_film(
             f"within 0 to {rollouts.horizon:g} s"
         )
     times = frame_times(start, end, play_speed(rollouts.horizon), frames_per_second)
-    segments = []
-    for index in range(len(rollouts.actions)):
 
-        def frames(index: int = index) -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
+    def frames(index: int) -> Iterator[PixelArray]:
+        return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
 
-        segments.append(Segment(len(times), frames))
+    actions = range(len(rollouts.actions))
+    segments = [Segment(len(times), partial(frames, index)) for index in actions]
     if end < rollouts.horizon:
         return segments
-    held = round(CLOSING_PICTURE * frames_per_second)
+    held = round(_CLOSING_PICTURE * frames_per_second)
 
     def ending() -> Iterator[PixelArray]:
         picture = compose_picture(rollouts, judgements, size, theme).pixels
@@ -101,8 +96,8 @@ def compose_film(
 def play_speed(horizon: float) -> float:
     """How many times faster than real time the film runs."""
     return next(
-        (speed for speed in _SPEEDS if horizon / speed <= LONGEST_ACTION),
-        math.ceil(horizon / LONGEST_ACTION),
+        (speed for speed in _SPEEDS if horizon / speed <= _LONGEST_ACTION),
+        math.ceil(horizon / _LONGEST_ACTION),
     )
 
 
@@ -113,7 +108,7 @@ def frame_times(start: float, end: float, speed: float, frames_per_second: int) 
     """
     steps = max(1, round((end - start) / speed * frames_per_second))
     playing = np.linspace(start, end, steps + 1)
-    return np.concatenate([playing, np.full(round(PAUSE * frames_per_second), end)])
+    return np.concatenate([playing, np.full(round(_PAUSE * frames_per_second), end)])
 
 
 # The page
@@ -121,21 +116,13 @@ def frame_times(start: float, end: float, speed: float, frames_per_second: int) 
 
 @dataclass(frozen=True)
 class FilmPage:
-    """What all frames share.
+    """What all frames share."""
 
-    Attributes:
-        canvas: a canvas with everything drawn that never changes.
-        view: the view of the scene.
-        side: the column beside the scene.
-        clock: the line below the scene.
-        strip: one cell an action, at the foot of the page.
-    """
-
-    canvas: Canvas
-    view: View
-    side: Box
-    clock: Box
-    strip: tuple[Box, ...]
+    canvas: Canvas  # with everything drawn that never changes
+    view: View  # of the scene
+    side: Box  # the column beside the scene
+    clock: Box  # the line below the scene
+    strip: tuple[Box, ...]  # one cell an action, at the foot of the page
 
 
 def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> FilmPage:
@@ -196,19 +183,14 @@ def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, tim
     """Write the time, and what it has to do with real time, below the scene."""
     canvas.restore(still, box)
     size, count, faint = canvas.type.small, rollouts.count, canvas.theme.faint
-    clock = canvas.text(
-        (box.left, box.centre[1]),
-        f"{time:.1f} s of {rollouts.horizon:g} s",
-        canvas.type.body,
-        canvas.theme.ink,
-        SEMIBOLD,
-    )
+    at, told_time = (box.left, box.centre[1]), f"{time:.1f} s of {rollouts.horizon:g} s"
+    clock = canvas.text(at, told_time, canvas.type.body, canvas.theme.ink, SEMIBOLD)
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
     red = "red: contact" if rollouts.touched.any() else ""
     left = max(box.left + 9.5 * canvas.type.body, clock.right + size)
     room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
-    fit_text(canvas, at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
+    canvas.fit(at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
 
 
 class _Strip:
@@ -227,13 +209,13 @@ class _Strip:
             name = action_label(rollouts.names[action])
             ink = theme.legible(colour) if action <= index else theme.faint
             at = (cell.left, cell.top + 1.2 * kind.body)
-            fit_text(canvas, at, name, cell.width, kind.body, ink, SEMIBOLD)
+            canvas.fit(at, name, cell.width, kind.body, ink, SEMIBOLD)
             if action < index:
                 touched = int(rollouts.touched[action].sum())
                 told = [*contacts_counted(touched, rollouts.count), f"{touched}"]
                 at = (cell.left, cell.top + 2.4 * kind.body)
                 ink = theme.contact if touched else theme.faint
-                fit_text(canvas, at, told, cell.width, kind.small, ink)
+                canvas.fit(at, told, cell.width, kind.small, ink)
 
     def draw(self, share: float) -> None:
         """Fill the bar of the action that is played up to this share."""

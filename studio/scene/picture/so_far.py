@@ -11,12 +11,12 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import draw_histogram, draw_icons
 from studio.scene.measures import gap_over_time, progress_over_time, touched_by
 from studio.scene.picture.crowd import between
-from studio.scene.picture.titles import contacts_counted, fit_text
+from studio.scene.picture.titles import contacts_counted
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, number
 
-_BINS = 24
+_BINS = 24  # of a histogram
 _WIDEST_GAP = 2.0  # m; wider gaps count as this
 
 
@@ -31,11 +31,11 @@ class OutcomesSoFar:
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         at, name = (box.left, box.top), action_label(action.name)
         ink = canvas.theme.legible(self._colour)
-        title = fit_text(canvas, at, name, box.width, kind.title, ink, SEMIBOLD, line="top")
+        title = canvas.fit(at, name, box.width, kind.title, ink, SEMIBOLD, line="top")
         driven, turned = (number(given, ".3g") for given in (action.speed, action.turn_rate))
         command = [f"{driven} m/s, turning {turned} rad/s", f"{driven} m/s, {turned} rad/s"]
         at, faint = (box.left, title.bottom + 4 * unit), canvas.theme.faint
-        below = fit_text(canvas, at, command, box.width, kind.body, faint, line="top")
+        below = canvas.fit(at, command, box.width, kind.body, faint, line="top")
         rest = Box(box.left, below.bottom + 18 * unit, box.right, box.bottom)
         contact, gap, progress = rest.rows((1.25, 1, 1), 16 * unit)
         self._count = Box(contact.left, contact.top, contact.right, contact.top + 1.6 * kind.title)
@@ -62,7 +62,7 @@ class OutcomesSoFar:
         canvas.restore(still, box.inset(-0.15 * size))
         at, told = (box.left, box.top), contacts_counted(touched, count, so_far)
         ink = theme.contact if touched else theme.faint
-        fit_text(canvas, at, told, box.width, size, ink, SEMIBOLD, line="top")
+        canvas.fit(at, told, box.width, size, ink, SEMIBOLD, line="top")
         if touched != self._touched:
             canvas.restore(still, self._icons)
             faint = blend(self._colour, theme.ground, 0.45)
@@ -84,7 +84,7 @@ class _MovingHistogram:
         ends: tuple[float, float],
     ) -> None:
         kind, unit, at = canvas.type, canvas.unit, (box.left, box.top)
-        fit_text(canvas, at, titles, box.width, kind.body, canvas.theme.ink, SEMIBOLD, line="top")
+        canvas.fit(at, titles, box.width, kind.body, canvas.theme.ink, SEMIBOLD, line="top")
         floor = box.bottom - 1.8 * kind.small
         self._axis = Axis(*ends, box.left, box.right)
         self._plot = Box(box.left, box.top + 1.4 * kind.body, box.right, floor)

@@ -90,8 +90,7 @@ def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
     """Draw the robot's goal: a ring if it is in view, an arrowhead at the edge if it is not.
 
-    Returns:
-        Where it was drawn, px.
+    Returns where it was drawn, px.
     """
     centre = view.to_pixels(goal)
     frame = view.box.inset(12 * canvas.unit)
@@ -102,40 +101,32 @@ def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
         corners = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
         canvas.polygon(inside + 9 * canvas.unit * corners, canvas.theme.ink)
     else:
-        for radius, colour in (
-            (9, canvas.theme.ink),
-            (6.5, canvas.theme.ground),
-            (3, canvas.theme.ink),
-        ):
+        ink, ground = canvas.theme.ink, canvas.theme.ground
+        for radius, colour in ((9, ink), (6.5, ground), (3, ink)):
             canvas.disc(centre, radius * canvas.unit, colour)
     return float(inside[0]), float(inside[1])
 
 
 def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
     """The label of the goal that was drawn at a point (px)."""
-    return Label(
-        "goal", canvas.type.small, REGULAR, canvas.theme.ink, goal, 13 * canvas.unit, direction
-    )
+    size, ink, reach = canvas.type.small, canvas.theme.ink, 13 * canvas.unit
+    return Label("goal", size, REGULAR, ink, goal, reach, direction)
 
 
 def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:
     """Draw a bar that shows the scale of a view, and its length in words.
 
-    The words end at the right and stand on the baseline, px.
-
-    Returns:
-        Where the bar begins, px.
+    The words end at the right and stand on the baseline, px. Returns where the bar begins, px.
     """
     lengths = round_numbers(0.1, 5000.0)  # m
     room = 0.15 * view.box.width
     metres = max((length for length in lengths if length * view.scale < room), default=lengths[0])
     size, tall = canvas.type.small, 0.5 * canvas.type.small
-    label = canvas.text(
-        (right, baseline), f"{metres:g} m", size, canvas.theme.ink, anchor="right", line="base"
-    )
+    at, ink = (right, baseline), canvas.theme.ink
+    label = canvas.text(at, f"{metres:g} m", size, ink, anchor="right", line="base")
     end, pen = label.left - 0.5 * size, max(1.0, 2 * canvas.unit)
     start = end - metres * view.scale
-    canvas.fill(Box(start, baseline - pen, end, baseline), canvas.theme.ink)
-    canvas.fill(Box(start, baseline - tall, start + pen, baseline), canvas.theme.ink)
-    canvas.fill(Box(end - pen, baseline - tall, end, baseline), canvas.theme.ink)
+    canvas.fill(Box(start, baseline - pen, end, baseline), ink)
+    canvas.fill(Box(start, baseline - tall, start + pen, baseline), ink)
+    canvas.fill(Box(end - pen, baseline - tall, end, baseline), ink)
     return start

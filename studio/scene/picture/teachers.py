@@ -11,7 +11,6 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.judgements import Judgement, utilities
-from studio.scene.picture.titles import fit_text
 from studio.style.ticks import round_range, ticks
 from studio.style.words import action_label, number
 
@@ -44,13 +43,9 @@ def _frame(
     x_range: tuple[float, float],
     y_range: tuple[float, float],
 ) -> tuple[Axis, Axis]:
-    """Draw the title and the frame of a curve plot.
-
-    Returns:
-        Its horizontal and its vertical axis.
-    """
+    """Draw the title and the frame of a curve plot; returns its axes across and upwards."""
     kind, unit, theme, corner = canvas.type, canvas.unit, canvas.theme, (box.left, box.top)
-    fit_text(canvas, corner, title, box.width, kind.heading, theme.ink, SEMIBOLD, line="top")
+    canvas.fit(corner, title, box.width, kind.heading, theme.ink, SEMIBOLD, line="top")
     panel = Box(box.left, box.top + 1.5 * kind.heading, box.right, box.bottom - 1.4 * kind.small)
     canvas.fill(panel, theme.panel)
     across = Axis(*x_range, panel.left, panel.right)
@@ -67,7 +62,7 @@ def _frame(
     last = canvas.text((panel.right, top), high, small, faint, anchor="right", line="top")
     middle = box.centre[0]
     room = 2 * min(middle - first.right, last.left - middle) - 8 * unit
-    fit_text(canvas, (middle, top), below, room, small, faint, anchor="centre", line="top")
+    canvas.fit((middle, top), below, room, small, faint, anchor="centre", line="top")
     return across, up
 
 
@@ -94,11 +89,9 @@ def _draw_values(
     across, up = _frame(
         canvas, box, "Value", ["utility x", "x"], (-reach, reach), (lowest * 1.05, highest * 1.25)
     )
-    for x_or_y in (
-        Box(across.at(0.0), up.end, across.at(0.0) + canvas.hair, up.start),
-        Box(across.start, up.at(0.0), across.end, up.at(0.0) + canvas.hair),
-    ):
-        canvas.fill(x_or_y, canvas.theme.faint)
+    x_zero, y_zero, hair, faint = across.at(0.0), up.at(0.0), canvas.hair, canvas.theme.faint
+    canvas.fill(Box(x_zero, up.end, x_zero + hair, up.start), faint)
+    canvas.fill(Box(across.start, y_zero, across.end, y_zero + hair), faint)
     for judgement, curve in zip(judgements, curves, strict=True):
         line = np.stack([across.along(x), up.along(curve)], axis=-1)
         canvas.line(line, judgement.colour, 3 * canvas.unit)
@@ -113,20 +106,19 @@ def _draw_table(
     widths = (88, *[44] * len(CptParameters.SYMBOLS), 150)
     titles = ("teacher", *CptParameters.SYMBOLS, "picks")
     for title, cell in zip(titles, header.columns(widths, 2 * unit), strict=True):
-        fit_text(canvas, (cell.left, cell.centre[1]), title, cell.width, kind.small, theme.faint)
+        canvas.fit((cell.left, cell.centre[1]), title, cell.width, kind.small, theme.faint)
     for judgement, row in zip(judgements, rows, strict=True):
         canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), theme.grid)
         name, *cells, pick = row.columns(widths, 2 * unit)
         colour, middle = judgement.colour, row.centre[1]
-        canvas.fill(
-            Box(name.left, middle - 2 * unit, name.left + 16 * unit, middle + 2 * unit), colour
-        )
+        swatch = Box(name.left, middle - 2 * unit, name.left + 16 * unit, middle + 2 * unit)
+        canvas.fill(swatch, colour)
         at, room = (name.left + 22 * unit, middle), name.width - 22 * unit
-        fit_text(canvas, at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
+        canvas.fit(at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
         for given, cell in zip(judgement.parameters.numbers, cells, strict=True):
             wordings = [f"{given:.2f}", f"{given:.2f}".lstrip("0")]
             at, room = (cell.left, middle), cell.width - 4 * unit
-            fit_text(canvas, at, wordings, room, kind.small, theme.ink)
+            canvas.fit(at, wordings, room, kind.small, theme.ink)
         best = rollouts.names[judgement.best]
         text = canvas.abbreviated(action_label(best), pick.width, kind.body, SEMIBOLD)
         ink = theme.legible(theme.action_colour(best))

@@ -3,10 +3,9 @@
 from collections.abc import Sequence
 
 from scenes import Rollouts
-from studio.painter.boxes import Box, Point
+from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.style.palette import Colour
+from studio.painter.lettering import SEMIBOLD
 from studio.style.words import counted
 
 
@@ -21,15 +20,15 @@ def titles(rollouts: Rollouts) -> list[str]:
 
 def subtitles(rollouts: Rollouts) -> list[str]:
     """What was simulated in one line, the longest wording first."""
-    actions, count, steps, _ = rollouts.robot.shape
-    people, groups = len(rollouts.scene.pedestrians), len(rollouts.scene.groups)
-    crowd = counted(people, "pedestrian") + (f" in {counted(groups, 'group')}" if groups else "")
-    if groups and sum(map(len, rollouts.scene.groups)) < people:
-        crowd = f"{counted(people, 'pedestrian')}, {counted(groups, 'group')}"
-    horizon = f"horizon {(steps - 1) * rollouts.dt:g} s"
-    sizes = f"{counted(actions, 'action')} × {counted(count, 'rollout')}"
-    number = rollouts.scene.number
-    seed = f"seed {rollouts.seed}, number {number}" if number else f"seed {rollouts.seed}"
+    scene = rollouts.scene
+    crowd = counted(len(scene.pedestrians), "pedestrian")
+    if scene.groups:
+        in_groups = sum(map(len, scene.groups))
+        joint = ", " if in_groups < len(scene.pedestrians) else " in "
+        crowd += joint + counted(len(scene.groups), "group")
+    horizon = f"horizon {rollouts.horizon:g} s"
+    sizes = f"{counted(len(rollouts.actions), 'action')} × {counted(rollouts.count, 'rollout')}"
+    seed = f"seed {rollouts.seed}" + (f", number {scene.number}" if scene.number else "")
     return [
         f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · {seed}",
         f"{sizes} · {crowd} · {horizon} · {rollouts.model} · {seed}",
@@ -43,16 +42,14 @@ def draw_heading(
     """Write a title and below it a subtitle along the top of a page (px).
 
     Both are given in several wordings, the longest first. The title has some room (px) from the
-    left of the page on, the subtitle all of the page's width.
-
-    Returns:
-        The box of both, as wide as the page.
+    left of the page on, the subtitle all of the page's width. Returns the box of both, as wide as
+    the page.
     """
     kind, theme = canvas.type, canvas.theme
     at = (page.left, page.top)
-    title = fit_text(canvas, at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
+    title = canvas.fit(at, titles, room, kind.title, theme.ink, SEMIBOLD, line="top")
     at = (page.left, title.bottom + 4 * canvas.unit)
-    subtitle = fit_text(canvas, at, subtitles, page.width, kind.body, theme.faint, line="top")
+    subtitle = canvas.fit(at, subtitles, page.width, kind.body, theme.faint, line="top")
     return Box(page.left, page.top, page.right, subtitle.bottom)
 
 
@@ -62,33 +59,15 @@ def draw_heading_in_line(
     """Write a title of this size (px) at the left and a subtitle at the right of the page's top.
 
     Both are given in several wordings, the longest first. The subtitle stands a little lower (px).
-
-    Returns:
-        The box of the title.
+    Returns the box of the title.
     """
     page, theme = canvas.page, canvas.theme
     at = (page.left, page.top)
-    title = fit_text(canvas, at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
+    title = canvas.fit(at, titles, page.width, size, theme.ink, SEMIBOLD, line="top")
     room = page.right - title.right - canvas.type.heading
     at = (page.right, title.centre[1] + lower)
-    fit_text(canvas, at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
+    canvas.fit(at, subtitles, room, canvas.type.body, theme.faint, anchor="right")
     return title
-
-
-def fit_text(
-    canvas: Canvas,
-    at: Point,
-    wordings: str | Sequence[str],
-    room: float,
-    size: int,
-    colour: Colour,
-    weight: int = REGULAR,
-    anchor: str = "left",
-    line: str = "middle",
-) -> Box:
-    """Set the first wording that is no wider than the room (px), else as `Canvas.text` does."""
-    fitting = canvas.fitted(wordings, room, size, weight)
-    return canvas.text(at, fitting, size, colour, weight, anchor, line)
 
 
 def joined(*wordings: Sequence[str]) -> list[str]:

@@ -29,7 +29,7 @@ from studio.scene.picture.stage import (
     overlap_opacity,
     view_of,
 )
-from studio.scene.picture.titles import fit_text, joined
+from studio.scene.picture.titles import joined
 from studio.style.palette import blend
 from studio.style.words import action_label
 
@@ -43,47 +43,42 @@ def draw_scene(
 
     Where not every action can be named, those are that a teacher would pick.
     """
-    scene, unit = rollouts.scene, canvas.unit
-    caption_height = 1.5 * canvas.type.small
-    panel = Box(box.left, box.top, box.right, box.bottom - caption_height)
-    view = view_of(rollouts, panel)
-    inside = canvas.clipped(panel)
-    count = rollouts.count
-    opacity, pen = overlap_opacity(count), 2 * unit
-
-    theme = canvas.theme
+    scene, theme, unit, small = rollouts.scene, canvas.theme, canvas.unit, canvas.type.small
+    panel = Box(box.left, box.top, box.right, box.bottom - 1.5 * small)
+    view, inside = view_of(rollouts, panel), canvas.clipped(panel)
+    opacity, pen = overlap_opacity(rollouts.count), 2 * unit
     colours = [theme.action_colour(name) for name in rollouts.names]
     draw_ground(inside, view)
     grey = blend(theme.pedestrian, theme.panel, 0.8)
     people = rollouts.without_robot.swapaxes(1, 2).reshape(-1, rollouts.steps + 1, 2)
     draw_faint_paths(inside, view.to_pixels(people), grey, pen, 0.6 * opacity)
-    for index, paths in enumerate(rollouts.robot):
-        draw_faint_paths(inside, view.to_pixels(paths), colours[index], pen, opacity)
+    for paths, colour in zip(rollouts.robot, colours, strict=True):
+        draw_faint_paths(inside, view.to_pixels(paths), colour, pen, opacity)
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)
     for index in range(len(rollouts.actions)):
         draw_contacts(inside, view, first_contacts(rollouts, index))
     medians = np.median(view.to_pixels(rollouts.robot), axis=1)  # (A, T+1, 2)
-    for index, median in enumerate(medians):
-        inside.line(median, canvas.theme.panel, 6 * unit)
-        inside.line(median, colours[index], 3 * unit)
-    for index, median in enumerate(medians):
-        inside.disc(median[-1], 7 * unit, canvas.theme.ground)
-        inside.disc(median[-1], 5 * unit, colours[index])
+    for median, colour in zip(medians, colours, strict=True):
+        inside.line(median, theme.panel, 6 * unit)
+        inside.line(median, colour, 3 * unit)
+    for median, colour in zip(medians, colours, strict=True):
+        inside.disc(median[-1], 7 * unit, theme.ground)
+        inside.disc(median[-1], 5 * unit, colour)
     goal = draw_goal(inside, view, scene.robot.goal)
     start = np.array([*scene.robot.start, scene.robot.start_heading])
-    draw_robot(inside, view, start, canvas.theme.ink)
+    draw_robot(inside, view, start, theme.ink)
     picks = {judgement.best for judgement in judgements}
     named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
     labels = _scene_labels(inside, view, rollouts, medians, goal, named)
     standing = view.to_pixels([*scene.starts, scene.robot.start])
     seen = np.concatenate([medians.reshape(-1, 2), standing])
-    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel, seen)
-    small, baseline = canvas.type.small, box.bottom - 0.3 * canvas.type.small
+    draw_labels(inside, labels, panel.inset(4 * unit), theme.panel, seen)
+    baseline = box.bottom - 0.3 * small
     end = draw_scale_bar(canvas, view, box.right, baseline) - small
     at, room = (box.left, baseline), end - box.left
-    fit_text(canvas, at, _captions(rollouts), room, small, theme.faint, line="base")
+    canvas.fit(at, _captions(rollouts), room, small, theme.faint, line="base")
 
 
 def _scene_labels(
@@ -95,31 +90,24 @@ def _scene_labels(
     named: set[int],
 ) -> list[Label]:
     """Names of the robot, its goal and the named actions, the actions at their medians' ends."""
-    unit, body, small = canvas.unit, canvas.type.body, canvas.type.small
+    theme, unit, body = canvas.theme, canvas.unit, canvas.type.body
     heading = rollouts.scene.robot.start_heading
     x, y = view.to_pixels(rollouts.scene.robot.start).tolist()
     behind = -math.cos(heading), math.sin(heading)
     reach = 1.2 * ROBOT_RADIUS * view.scale + 3 * unit
     labels = [
-        Label("robot", small, REGULAR, canvas.theme.ink, (x, y), reach, behind),
+        Label("robot", canvas.type.small, REGULAR, theme.ink, (x, y), reach, behind),
         goal_label(canvas, goal, (goal[0] - x, goal[1] - y)),
     ]
     for index in sorted(named):
-        path = medians[index]
-        name = rollouts.names[index]
+        path, name = medians[index], rollouts.names[index]
+        words = canvas.abbreviated(action_label(name), view.box.width / 5, body, SEMIBOLD)
+        ink = theme.legible(theme.action_colour(name))
+        x, y = path[-1].tolist()
         dx, dy = path[-1] - path[-min(6, len(path))]
-        labels.append(
-            Label(
-                canvas.abbreviated(action_label(name), view.box.width / 5, body, SEMIBOLD),
-                body,
-                SEMIBOLD,
-                canvas.theme.legible(canvas.theme.action_colour(name)),
-                near=(float(path[-1, 0]), float(path[-1, 1])),
-                reach=9 * unit,
-                # below where the robot hardly moves
-                direction=(dx, dy) if math.hypot(dx, dy) > 2 * unit else (0.0, 1.0),
-            )
-        )
+        # below where the robot hardly moves
+        direction = (dx, dy) if math.hypot(dx, dy) > 2 * unit else (0.0, 1.0)
+        labels.append(Label(words, body, SEMIBOLD, ink, (x, y), 9 * unit, direction))
     return labels
 
 

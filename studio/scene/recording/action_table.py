@@ -18,16 +18,14 @@ from studio.style.palette import LIGHT, Theme, blend
 from studio.style.ticks import round_ticks
 from studio.style.words import number, short_label
 
-COLUMN_WIDTH, ROW_HEIGHT, TALLEST_TABLE = 1.4, 0.45, 3.6
-"""Width of a column, height of a row where there is room, and height of all rows at most."""
+# lengths on the page
+COLUMN_WIDTH = 1.4
+ROW_HEIGHT = 0.45  # of a row where there is room
+TALLEST_TABLE = 3.6  # all rows at most
+HALF_TICK_LETTER = 0.05  # half the width of a letter below the table
+NAME_LETTER = 0.12  # width of a letter in the names of the actions where the view is small
 
-HALF_TICK_LETTER = 0.05
-"""Half the width of a letter below the table."""
-
-NAME_LETTER = 0.12
-"""Width of a letter in the names of the actions where the view is small."""
-
-GOLDEN_RATIO = 0.618034
+GOLDEN_RATIO = 0.618034  # multiples of it are spread evenly over whole numbers
 
 
 def log_action_table(
@@ -39,15 +37,15 @@ def log_action_table(
     a large one the median of a feature or the value to a teacher, who picks the action with the
     black ring.
     """
-    drawing, count = Drawing(lift=0.1), rollouts.count
-    colours = [theme.action_colour(name) for name in rollouts.names]
-    height = row_height(len(colours))
-    rows = -height * (np.arange(len(colours), dtype=np.float64) + 0.5)
+    drawing, names, count = Drawing(lift=0.1), rollouts.names, rollouts.count
+    colours = [theme.action_colour(name) for name in names]
+    height = row_height(len(names))
+    rows = -height * (np.arange(len(names), dtype=np.float64) + 0.5)
     # the dots of a row are spread upwards evenly, so that they do not hide one another
     heights = rows[:, None] + 0.6 * height * (np.arange(count) * GOLDEN_RATIO % 1.0 - 0.5)
     clouds = []
-    for row, name in zip(rows, rollouts.names, strict=True):
-        drawing.text((-name_room(rollouts) / 2.0, row), short_label(name))
+    for row, name in zip(rows, names, strict=True):
+        drawing.text((-name_room(names) / 2.0, row), short_label(name))
     for column, measure in enumerate(measures(rollouts)):
         places = draw_column(drawing, column, measure.title, measure.values, rows)
         clouds.append(np.stack([places, heights], axis=-1))  # (A, K, 2)
@@ -93,10 +91,10 @@ def draw_column(
     return zero + stretch * values
 
 
-def action_table_bounds(rollouts: Rollouts, teachers: int) -> Bounds:
+def action_table_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the action table must show."""
-    columns, actions = len(FEATURES) + teachers, len(rollouts.actions)
-    return -name_room(rollouts), -row_height(actions) * actions - 0.4, columns * COLUMN_WIDTH, 0.48
+    actions, right = len(names), (len(FEATURES) + teachers) * COLUMN_WIDTH
+    return -name_room(names), -row_height(actions) * actions - 0.4, right, 0.48
 
 
 def row_height(actions: int) -> float:
@@ -104,6 +102,6 @@ def row_height(actions: int) -> float:
     return min(ROW_HEIGHT, TALLEST_TABLE / actions)
 
 
-def name_room(rollouts: Rollouts) -> float:
+def name_room(names: tuple[str, ...]) -> float:
     """How much room the names of the actions take beside the table."""
-    return 0.3 + NAME_LETTER * max(len(short_label(name)) for name in rollouts.names)
+    return 0.3 + NAME_LETTER * max(len(short_label(name)) for name in names)

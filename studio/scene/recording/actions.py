@@ -23,14 +23,9 @@ from studio.scene.recording.moving import (
 )
 from studio.style.palette import Theme, blend
 
-HEADING_RESOLUTION = 1.0 / 64.0
-"""Headings are rounded to this, about 0.9°, rad."""
-
-ROBOT_DOT_RADIUS, PERSON_DOT_RADIUS = 0.05, 0.045
-"""Radii of the dots that stand for robots and people in every rollout but the first, m."""
-
-ARROWHEAD_THICKNESS = 0.07
-"""Thickness of the strokes of the arrowhead, m."""
+HEADING_RESOLUTION = 1.0 / 64.0  # headings are rounded to this, about 0.9°, rad
+ROBOT_DOT_RADIUS, PERSON_DOT_RADIUS = 0.05, 0.045  # in every rollout but the first, m
+ARROWHEAD_THICKNESS = 0.07  # of its strokes, m
 
 
 def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
@@ -83,15 +78,9 @@ def log_pedestrians(
         colors=np.where(in_full[:, None], theme.pedestrian, faint),
         draw_order=10.0,  # below paths and contacts
     )
-    log_people(
-        stream,
-        entities.pedestrians(rollouts.names[index]),
-        time_columns(rollouts),
-        people.reshape(times, -1, 2),
-        rollouts.scene.groups,
-        look,
-        theme,
-    )
+    path, when = entities.pedestrians(rollouts.names[index]), time_columns(rollouts)
+    places, groups = people.reshape(times, -1, 2), rollouts.scene.groups
+    log_people(stream, path, when, places, groups, look, theme)
 
 
 def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:

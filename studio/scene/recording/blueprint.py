@@ -4,18 +4,18 @@ import rerun.blueprint as rrb
 
 from scenes import Rollouts
 from studio.arrays import Bounds
-from studio.recorder.views import drawn_view, figure_view, opening, page_view
+from studio.recorder.views import Overrides, drawn_view, figure_view, opening, page_view
 from studio.scene.recording import entities
 from studio.scene.recording.action_table import action_table_bounds
 from studio.scene.recording.distributions import distributions_bounds
-from studio.scene.recording.minds import curves_bounds
+from studio.scene.recording.minds import CURVES_BOUNDS
 from studio.scene.recording.prospects import prospects_bounds
 from studio.scene.recording.ranks import ranks_bounds
 from studio.style.palette import LIGHT
 from studio.style.words import action_label, counted, short_label
 
 VIEW_SHAPE = (16, 9)
-"""Shape that views of the world have on a common screen, width and height."""
+"""Width to height of views of the world on a common screen."""
 
 
 def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
@@ -24,8 +24,8 @@ def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rr
         [
             scene_overview(rollouts, teachers, bounds),
             *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
-            prospects_tab(rollouts, teachers),
-            minds_tab(rollouts, teachers),
+            prospects_tab(rollouts.names, teachers),
+            minds_tab(rollouts.names, teachers),
             page_view(entities.ABOUT, "About"),
         ],
         "sim_time",
@@ -40,7 +40,7 @@ def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Con
     return rrb.Horizontal(
         rrb.Vertical(
             world_view(contents, bounds, title),
-            action_table_view(rollouts, teachers),
+            action_table_view(names, teachers),
             row_shares=[3, 2],
         ),
         rrb.Vertical(
@@ -71,13 +71,13 @@ def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
     )
 
 
-def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+def prospects_tab(names: tuple[str, ...], teachers: int) -> rrb.Container:
     """The outcomes of all actions side by side, and how much each counts to the teachers."""
     return rrb.Vertical(
-        action_table_view(rollouts, teachers),
+        action_table_view(names, teachers),
         figure_view(
             entities.PROSPECTS,
-            prospects_bounds(rollouts.names),
+            prospects_bounds(names),
             "Outcomes from the worst to the best. Dots: utility; marks at the right: certainty "
             "equivalents (the sure utility that a teacher would take instead). Below: how much "
             "each outcome counts",
@@ -87,18 +87,12 @@ def prospects_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     )
 
 
-def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
+def minds_tab(names: tuple[str, ...], teachers: int) -> rrb.Container:
     """How the teachers weigh probabilities, value gains and losses, and rank the actions."""
-    names = rollouts.names
     return rrb.Vertical(
         drawn_view(
-            [
-                entities.GAIN_WEIGHTS,
-                entities.LOSS_WEIGHTS,
-                entities.DECISION_WEIGHTS,
-                entities.VALUES,
-            ],
-            curves_bounds(),
+            entities.CURVES,
+            CURVES_BOUNDS,
             "How much probabilities p count, and 50 outcomes from the worst loss to the best gain; "
             "how good the utility x feels",
         ),
@@ -117,16 +111,18 @@ def minds_tab(rollouts: Rollouts, teachers: int) -> rrb.Container:
     )
 
 
-def world_view(contents: list[str], bounds: Bounds, title: str) -> rrb.View:
-    """A view of the world: what does not move, and the given contents."""
+def world_view(
+    contents: list[str], bounds: Bounds, title: str, overrides: Overrides | None = None
+) -> rrb.View:
+    """A view of the world: what does not move, and the given contents; see `drawn_view`."""
     fixed = [entities.GRID, entities.WALLS, entities.TASK]
-    return drawn_view([*fixed, *contents], bounds, title)
+    return drawn_view([*fixed, *contents], bounds, title, overrides)
 
 
-def action_table_view(rollouts: Rollouts, teachers: int) -> rrb.View:
+def action_table_view(names: tuple[str, ...], teachers: int) -> rrb.View:
     """The action table."""
     title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
-    return figure_view(entities.ACTION_TABLE, action_table_bounds(rollouts, teachers), title)
+    return figure_view(entities.ACTION_TABLE, action_table_bounds(names, teachers), title)
 
 
 def gap_view() -> rrb.View:

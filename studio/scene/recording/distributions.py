@@ -16,26 +16,15 @@ from studio.style.palette import LIGHT, Colour, Theme, blend
 from studio.style.ticks import round_step
 from studio.style.words import rounded_number
 
-LEAST_RANGES = {
-    "clearance": 1.0,
-    "deviation": 0.2,
-    "progress": 1.0,
-    "smoothness": 1.0,
-    "collisions": 2.0,
-}
-"""The histogram of a feature reaches from 0 at least this far."""
-
-MOST_BINS = 25
-"""A histogram of values on one side of 0 has no more bins."""
-
-ROUNDING = 1e-9
-"""A value that leaves the bins by this share of one does so by rounding only."""
-
+# lengths on the page
 PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
-"""Size of a panel, and the gap to the next."""
+PANEL_PITCH = PANEL_WIDTH + PANEL_GAP  # from the left of a panel to that of the next
+STROKE = 0.02  # how far apart the strokes that fill a bar are at most
 
-STROKE = 0.02
-"""How far apart the strokes that fill a bar are at most."""
+# how far the histogram of each of the `FEATURES` reaches from 0 at least
+LEAST_RANGES = dict(zip(FEATURES, (1.0, 0.2, 1.0, 1.0, 2.0), strict=True))
+MOST_BINS = 25  # of a histogram of values on one side of 0
+ROUNDING = 1e-9  # a value that leaves the bins by this share of one does so by rounding only
 
 
 def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
@@ -49,11 +38,11 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
         for column, (measure, edges) in enumerate(shown):
             values = measure.values[index]
             counts = [np.histogram(some, edges)[0] for some in (values[touched], values)]
-            left = column * (PANEL_WIDTH + PANEL_GAP)
+            left = column * PANEL_PITCH
             colours = (theme.contact, colour)
             draw_counts(drawing, left, measure, edges, np.stack(counts), colours)
         if rollouts.scene.pedestrians:
-            left = len(FEATURES) * (PANEL_WIDTH + PANEL_GAP)
+            left = len(FEATURES) * PANEL_PITCH
             ends = float(min(0.0, gap_quantiles.min())), float(gap_quantiles.max())
             draw_band(drawing, left, rollouts.horizon, ends, gap_quantiles[:, index], colour)
         drawing.log(stream, entities.distributions(name))
@@ -146,5 +135,4 @@ def bin_edges(measure: Measure) -> FloatArray:
 def distributions_bounds(rollouts: Rollouts) -> Bounds:
     """What a view of a figure of distributions must show."""
     panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
-    width = panels * (PANEL_WIDTH + PANEL_GAP) - PANEL_GAP
-    return -0.25, -0.32, width + 0.15, PANEL_HEIGHT + 0.25
+    return -0.25, -0.32, panels * PANEL_PITCH - PANEL_GAP + 0.15, PANEL_HEIGHT + 0.25

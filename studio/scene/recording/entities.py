@@ -8,12 +8,6 @@ from studio.recorder.names import entity_part
 APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
 
-COMPARISON_APPLICATION = "prospect_studio_comparison"
-"""The application that recordings of two actions side by side belong to."""
-
-STORY = "story"
-"""The timeline along which a comparison plays one outcome after the other."""
-
 WORLD = "world"
 GRID = "world/grid"
 WALLS = "world/walls"
@@ -29,6 +23,7 @@ GAIN_WEIGHTS = "figures/weights_of_gains"
 LOSS_WEIGHTS = "figures/weights_of_losses"
 DECISION_WEIGHTS = "figures/decision_weights"
 VALUES = "figures/values"
+CURVES = (GAIN_WEIGHTS, LOSS_WEIGHTS, DECISION_WEIGHTS, VALUES)  # from the left to the right
 RANKS = "figures/ranks"
 OUTCOMES = "outcomes"
 JUDGEMENTS = "judgements"
@@ -37,7 +32,6 @@ SUMMARY = "summary"
 DISAGREEMENTS = "disagreements"
 ABOUT = "about"
 SCENE = "/__properties/scene"
-COMPARED = "/__properties/comparison"
 SIMULATION = "/__properties/simulation"
 
 
@@ -64,13 +58,3 @@ def paths(name: str) -> str:
 def distributions(name: str) -> str:
     """The figure of how the outcomes of one action are distributed."""
     return f"{FIGURES}/actions/{entity_part(name)}"
-
-
-def story(name: str) -> str:
-    """The world under one action, its outcomes one after the other."""
-    return f"{WORLD}/story/{entity_part(name)}"
-
-
-def dots(name: str) -> str:
-    """The figure of one action's outcomes as dots that gather."""
-    return f"{FIGURES}/dots/{entity_part(name)}"

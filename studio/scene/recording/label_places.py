@@ -5,43 +5,29 @@ estimated: it is what they take where the overview is small.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from studio.arrays import Bounds, FloatArray
+from studio.arrays import BoolArray, Bounds, FloatArray
 from studio.style.places import choose_places, places_around
 
-VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0
-"""Size of the view of the world in a viewer that is 1280 pixels wide and 800 high, px."""
+# the view of the world in a viewer that is 1280 pixels wide and 800 high
+VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0  # px
+LETTER_WIDTH = 7.0  # px
+PADDING = 16.0  # width of the frame on both sides of the words together, px
+LABEL_HEIGHT = 24.0  # px
+LARGEST_VIEW = 2.0  # leaders meet their labels in views up to this many times as large
 
-LETTER_WIDTH, PADDING, LABEL_HEIGHT = 7.0, 16.0, 24.0
-"""Width of a letter, width of the frame on both sides of the words, height of a label, px."""
+DISTANCES = (0.25, 0.75, 1.25, 2.0, 3.0, 4.5, 6.0)  # of a label from its thing, in its own heights
+DIRECTIONS = 16  # in which a label may stand around what it names
+WALL_POINTS = 20  # points of a wall that tell whether a label hides it
+ROUNDS = 4  # how often each label is placed anew, once it is known where the others are
+NEARER = 1e-6  # of two distances that differ by less, neither counts as the shorter one, m
 
-LARGEST_VIEW = 2.0
-"""Leaders meet their labels in views up to this many times as large as the small one."""
-
-DISTANCES = (0.25, 0.75, 1.25, 2.0, 3.0, 4.5, 6.0)
-"""How far from what it names a label may stand, in its own heights."""
-
-DIRECTIONS = 16
-"""In how many directions around what it names a label may stand."""
-
-COST_OF_HIDING, COST_OF_WALL = 15.0, 3.0
-"""Costs of a label that hides all ways of one action, and of one that hides a wall."""
-
-COST_OF_DISTANCE, COST_OF_TURNING = 0.7, 0.5
-"""Costs of each of its heights that a label is away, and of standing behind instead of ahead."""
-
-WALL_POINTS = 20
-"""Whether a label hides a wall is found from this many points of the wall."""
-
-FORBIDDEN, MISLEADING = 1e3, 1e2
-"""Costs of hiding another label or leaving the view, and of being nearer to another's end."""
-
-ROUNDS = 4
-"""How often each label is placed anew, once it is known where the others are."""
-
-NEARER = 1e-6
-"""Of two distances that differ by less than this neither counts as the shorter one, m."""
+COST_OF_HIDING = 15.0  # of a label that hides all ways of one action
+COST_OF_WALL = 3.0  # of hiding a wall
+COST_OF_DISTANCE = 0.7  # of each of its heights that a label is away
+COST_OF_TURNING = 0.5  # of standing behind instead of ahead
+FORBIDDEN = 1e3  # cost of hiding another label or leaving the view
+MISLEADING = 1e2  # cost of being nearer to another's end
 
 
 def metres_per_pixel(bounds: Bounds) -> float:
@@ -74,7 +60,7 @@ def label_places(
     """The middle of each label: nearest to the end of what it names, and where little else is.
 
     Args:
-        labels: the words.
+        labels: their words.
         ends: [A, 2], where what they name ends, m.
         ways: [A, N, T, 2], N ways that each of the A labels names; better not hidden.
         walls: [W, 2, 2], the ends of walls, m.
@@ -109,9 +95,7 @@ def label_places(
     return choose_places(candidates, halves, costs, FORBIDDEN, ROUNDS)
 
 
-def is_misleading(
-    middles: FloatArray, half: FloatArray, ends: FloatArray, index: int
-) -> NDArray[np.bool_]:
+def is_misleading(middles: FloatArray, half: FloatArray, ends: FloatArray, index: int) -> BoolArray:
     """Whether a label at each of N middles [N, 2] is nearer to another end than to its own.
 
     Either its middle or its edge; ends [A, 2] are as near if they are in one place.
@@ -120,5 +104,5 @@ def is_misleading(
     to_middle = np.linalg.norm(offsets, axis=-1)
     to_edge = np.linalg.norm(np.maximum(offsets - half, 0.0), axis=-1)
     away = np.stack([to_middle, to_edge])
-    nearer: NDArray[np.bool_] = np.any(away.min(axis=-1) < away[..., index] - NEARER, axis=0)
+    nearer: BoolArray = np.any(away.min(axis=-1) < away[..., index] - NEARER, axis=0)
     return nearer

@@ -11,99 +11,73 @@ import rerun as rr
 
 from learners import decision_weights, value, weight
 from studio.arrays import Bounds, FloatArray
+from studio.recorder.axes import line_colour
 from studio.recorder.drawing import Drawing
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.style.palette import LIGHT
 from studio.style.ticks import round_ticks
 from studio.style.words import number
 
-CURVES_PITCH, PANELS = 1.4, 4
-"""How far the left of a panel is from that of the next, and how many panels there are."""
+CURVES_PITCH = 1.4  # from the left of a panel to that of the next, on the page
+OUTCOMES_WEIGHED = 50  # how many equally likely outcomes the decision weights are drawn for
+LARGEST_UTILITY = 0.5  # the value curves reach from minus this utility to plus this utility
 
-OUTCOMES_WEIGHED = 50
-"""How many equally likely outcomes the decision weights are drawn for."""
-
-LARGEST_UTILITY = 0.5
-"""The value curves are drawn from minus this utility to plus this utility."""
+CURVES_BOUNDS: Bounds = (-0.2, -0.21, (len(entities.CURVES) - 1) * CURVES_PITCH + 1.08, 1.18)
+"""What a view of all panels must show."""
 
 
 @dataclass(frozen=True)
 class Panel:
-    """Where a panel lies, and its axes.
+    """The curves of a panel, one a teacher, and its axes."""
 
-    Attributes:
-        place: number of the panel, counted from the left.
-        title: what the curves are.
-        across: what is counted across, in words.
-        x: ticks across, ascending, from one end of the panel to the other.
-        y: ticks upwards, ascending, from the bottom of the panel to its top.
-    """
-
-    place: int
-    title: str
-    across: str
-    x: tuple[float, ...]
-    y: tuple[float, ...]
-
-    @property
-    def width(self) -> float:
-        """How much the axis across spans, in its own unit."""
-        return self.x[-1] - self.x[0]
-
-    @property
-    def height(self) -> float:
-        """How much the axis upwards spans, in its own unit."""
-        return self.y[-1] - self.y[0]
+    title: str  # what the curves are
+    across: str  # what is counted across
+    x: tuple[float, ...]  # ticks across, ascending, from one end of the panel to the other
+    y: tuple[float, ...]  # ticks upwards, ascending, from the bottom of the panel to its top
+    places: FloatArray  # [N], where across the curves are known
+    curves: list[FloatArray]  # [N] each
 
 
 def log_curves(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
     """Draw how the teachers weigh and value: four panels of curves, a curve a teacher."""
-    log_weighting(stream, judgements)
-    log_decision_weights(stream, judgements)
-    log_values(stream, judgements)
+    panels = (
+        weights_panel("w(p) of gains", [each.parameters.gamma for each in judgements]),
+        weights_panel("w(p) of losses", [each.parameters.delta for each in judgements]),
+        decision_weights_panel(judgements),
+        values_panel(judgements),
+    )
+    for place, (figure, panel) in enumerate(zip(entities.CURVES, panels, strict=True)):
+        log_panel(stream, figure, panel, judgements, place)
 
 
-def log_weighting(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
-    """Draw w(p) of gains and of losses: how much a probability counts."""
+def weights_panel(title: str, curvatures: list[float]) -> Panel:
+    """The curves w(p) of these curvatures: how much a probability counts."""
     # denser towards 0 and 1, where the curves are steep
     p = (1.0 - np.cos(np.linspace(0.0, np.pi, 101))) / 2.0
-    gains = [weight(p, each.parameters.gamma) for each in judgements]
-    losses = [weight(p, each.parameters.delta) for each in judgements]
     ticks = (0.0, 0.5, 1.0)
-    of_gains = Panel(0, "w(p) of gains", "p", ticks, ticks)
-    of_losses = Panel(1, "w(p) of losses", "p", ticks, ticks)
-    log_panel(stream, entities.GAIN_WEIGHTS, of_gains, judgements, p, gains, has_key=True)
-    log_panel(stream, entities.LOSS_WEIGHTS, of_losses, judgements, p, losses)
+    return Panel(title, "p", ticks, ticks, p, [weight(p, curvature) for curvature in curvatures])
 
 
-def log_decision_weights(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
-    """Draw how much each of fifty equally likely outcomes counts, from the worst to the best.
+def decision_weights_panel(judgements: tuple[Judgement, ...]) -> Panel:
+    """How much each of fifty equally likely outcomes counts, from the worst to the best.
 
     The worse half are losses, the better half are gains. A weight of 1 is that of the probability.
     """
-    places = np.arange(0.5, OUTCOMES_WEIGHED)
-    utilities = places - OUTCOMES_WEIGHED / 2.0
-    curves = [
-        OUTCOMES_WEIGHED * decision_weights(utilities, each.parameters) for each in judgements
-    ]
-    panel = Panel(
-        2,
-        "decision weight × 50",
-        "rank",
-        (0.0, OUTCOMES_WEIGHED / 2.0, float(OUTCOMES_WEIGHED)),
-        round_ticks(0.0, float(np.max(curves))),
-    )
-    log_panel(stream, entities.DECISION_WEIGHTS, panel, judgements, places, curves)
+    count = OUTCOMES_WEIGHED
+    places = np.arange(0.5, count)
+    utilities = places - count / 2.0
+    curves = [count * decision_weights(utilities, each.parameters) for each in judgements]
+    ticks = round_ticks(0.0, float(np.max(curves)))
+    ranks = (0.0, count / 2.0, float(count))
+    return Panel(f"decision weight × {count}", "rank", ranks, ticks, places, curves)
 
 
-def log_values(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]) -> None:
-    """Draw v(x): how good a gain feels and how bad a loss."""
+def values_panel(judgements: tuple[Judgement, ...]) -> Panel:
+    """The curves v(x): how good a gain feels and how bad a loss."""
     x = LARGEST_UTILITY * np.linspace(-1.0, 1.0, 101) ** 3  # denser at 0, where the kink is
-    curves = [value(x, judgement.parameters) for judgement in judgements]
+    curves = [value(x, each.parameters) for each in judgements]
     ticks = round_ticks(float(np.min(curves)), float(np.max(curves)))
-    panel = Panel(3, "v(x)", "x", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks)
-    log_panel(stream, entities.VALUES, panel, judgements, x, curves)
+    return Panel("v(x)", "x", (-LARGEST_UTILITY, 0.0, LARGEST_UTILITY), ticks, x, curves)
 
 
 def log_panel(
@@ -111,47 +85,39 @@ def log_panel(
     figure: str,
     panel: Panel,
     judgements: tuple[Judgement, ...],
-    x: FloatArray,
-    curves: list[FloatArray],
-    *,
-    has_key: bool = False,
+    place: int,
 ) -> None:
-    """Draw one curve a teacher, and the axes; a key in the upper left, if that is free.
+    """Draw one curve a teacher, and the axes; in the first panel also a key in the upper left.
 
     The figure is in its own units; a transform stretches it onto its place beside the others.
     """
-    across, up = 1.0 / panel.width, 1.0 / panel.height
     left, right, bottom, top = panel.x[0], panel.x[-1], panel.y[0], panel.y[-1]
+    width, height = right - left, top - bottom
+    across, up = 1.0 / width, 1.0 / height
     stream.log(
         figure,
         rr.Transform3D(
-            translation=[panel.place * CURVES_PITCH - left * across, -bottom * up, 0.0],
+            translation=[place * CURVES_PITCH - left * across, -bottom * up, 0.0],
             scale=[across, up, 1.0],
         ),
         static=True,
     )
-    drawing = Drawing(lift=0.045 * panel.height)
-    drawing.text((left + panel.width / 2, top + 0.1 * panel.height), panel.title)
-    drawing.text((left + 0.75 * panel.width, bottom - 0.12 * panel.height), panel.across)
+    drawing = Drawing(lift=0.045 * height)
+    below, beside = bottom - 0.12 * height, left - 0.1 * width
+    drawing.text((left + width / 2, top + 0.1 * height), panel.title)
+    drawing.text((left + 0.75 * width, below), panel.across)
     for tick in panel.x:
-        drawing.line([(tick, bottom), (tick, top)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
-        drawing.text((tick, bottom - 0.12 * panel.height), number(tick))
+        drawing.line([(tick, bottom), (tick, top)], line_colour(tick))
+        drawing.text((tick, below), number(tick))
     for tick in panel.y:
-        drawing.line([(left, tick), (right, tick)], LIGHT.faint if tick == 0.0 else LIGHT.grid)
-        drawing.text((left - 0.1 * panel.width, tick), number(tick))
+        drawing.line([(left, tick), (right, tick)], line_colour(tick))
+        drawing.text((beside, tick), number(tick))
     # the lowest curve last: it would vanish in the peaks of the others
-    for row in sorted(range(len(judgements)), key=lambda row: -curves[row].max()):
+    for row in sorted(range(len(judgements)), key=lambda row: -panel.curves[row].max()):
         colour = judgements[row].colour
-        drawing.line(np.stack([x, curves[row]], axis=-1), colour, 4.0)
-        if has_key:
-            y = top - (0.09 + 0.12 * row) * panel.height
-            drawing.line(
-                [(left + 0.04 * panel.width, y), (left + 0.13 * panel.width, y)], colour, 4.0
-            )
-            drawing.text((left + 0.29 * panel.width, y), judgements[row].label)
+        drawing.line(np.stack([panel.places, panel.curves[row]], axis=-1), colour, 4.0)
+        if place == 0:
+            y = top - (0.09 + 0.12 * row) * height
+            drawing.line([(left + 0.04 * width, y), (left + 0.13 * width, y)], colour, 4.0)
+            drawing.text((left + 0.29 * width, y), judgements[row].label)
     drawing.log(stream, figure)
-
-
-def curves_bounds() -> Bounds:
-    """What a view of the four panels must show."""
-    return -0.2, -0.21, (PANELS - 1) * CURVES_PITCH + 1.08, 1.18

@@ -22,14 +22,11 @@ so that they pack into 0.6 of their size; rounded to 1 cm they would pack into 0
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; under the action with index a it is a + 1 before."""
 
-ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])
-"""The arrowhead on the robot that is drawn in full, when it faces along x, [3, 2], m."""
-
-BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS
-"""Thickness of the bars that join the people of a group, m."""
-
 PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
+
+ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])  # facing along x, m
+BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS  # of the bars that join the people of a group, m
 
 
 def log_over_time(
@@ -59,20 +56,16 @@ def log_people(
     """
     places = rounded(people)
     static: list[rr.AsComponents] = [look]
-    moving = [
-        *rr.Points2D.columns(positions=places.reshape(-1, 2)).partition(
-            [places.shape[1]] * len(places)
-        )
-    ]
+    points = rr.Points2D.columns(positions=places.reshape(-1, 2))
+    moving = [*points.partition([places.shape[1]] * len(places))]
     if groups:
         bars = group_bars(places, groups)  # (moments, bars, 2, 2)
         faint = blend(theme.pedestrian, theme.panel, 0.5)
         static.append(
             rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
         )
-        moving += rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2))).partition(
-            [bars.shape[1]] * len(bars)
-        )
+        lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
+        moving += lines.partition([bars.shape[1]] * len(bars))
     log_over_time(stream, path, times, static, moving)
 
 
@@ -86,14 +79,9 @@ def arrowheads(poses: FloatArray) -> FloatArray:
     """Where the corners of the arrowhead are on a robot at poses [N, 3], [N, 3, 2], m."""
     x, y, heading = poses.T[..., None]  # (N, 1) each
     ahead, left = ARROWHEAD.T
-    corners: FloatArray = np.stack(
-        [
-            x + ahead * np.cos(heading) - left * np.sin(heading),
-            y + ahead * np.sin(heading) + left * np.cos(heading),
-        ],
-        axis=-1,
-    )
-    return corners
+    cos, sin = np.cos(heading), np.sin(heading)
+    corners = [x + ahead * cos - left * sin, y + ahead * sin + left * cos]
+    return np.stack(corners, axis=-1)
 
 
 def group_bars(people: FloatArray, groups: tuple[tuple[int, ...], ...]) -> FloatArray:

@@ -9,32 +9,25 @@ import rerun as rr
 from learners import decision_weights
 from scenes import Rollouts
 from studio.arrays import Bounds, FloatArray
-from studio.recorder.axes import Scale, linear
+from studio.recorder.axes import Scale, line_colour, linear
 from studio.recorder.drawing import PAGE_RESOLUTION, Drawing
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.recording import entities
 from studio.scene.recording.moving import rounded
-from studio.style.palette import LIGHT, Theme
+from studio.style.palette import Theme
 from studio.style.ticks import round_ticks
 from studio.style.words import number, short_label
 
-PROSPECT_PITCH = 1.3
-"""How far the left of a panel is from that of the next."""
+# lengths on the page
+PANEL_PITCH = 1.3  # from the left of a panel to that of the next
+WEIGHT_HEIGHT = 0.85  # of the lower part of a panel
+UTILITY_BOTTOM, UTILITY_HEIGHT = 1.15, 1.4  # of its upper part
+UTILITY_TOP = UTILITY_BOTTOM + UTILITY_HEIGHT
+TITLE_BOTTOM = UTILITY_TOP + 0.27
+MARK_LEFT, MARK_WIDTH = 1.04, 0.05  # of the first of the marks at the right of a panel
+TICKS_MIDDLE, WORDS_MIDDLE = -0.28, -0.42  # of the numbers at the left, and of what they are
 
-WEIGHT_HEIGHT, UTILITY_BOTTOM, UTILITY_HEIGHT = 0.85, 1.15, 1.4
-"""Height of the lower part of a panel; where the upper part begins, and its height."""
-
-TITLE_BOTTOM = UTILITY_BOTTOM + UTILITY_HEIGHT + 0.27
-"""Where the titles of the panels are."""
-
-MARK_LEFT, MARK_WIDTH = 1.04, 0.05
-"""Where the marks at the right of a panel begin, and how wide one is."""
-
-TICKS_MIDDLE, WORDS_MIDDLE = -0.28, -0.42
-"""Where the middle of the numbers at the left is, and of what they are."""
-
-LONGEST_TITLE = 14
-"""If a title has more characters, titles are written on two levels, so that they do not touch."""
+LONGEST_TITLE = 14  # characters; with a longer one, titles stand on two levels and do not touch
 
 
 def log_prospects(
@@ -47,19 +40,18 @@ def log_prospects(
     multiples of its probability 1/K.
     """
     ranked = np.sort(utilities(rollouts), axis=-1)  # (A, K), worst first
-    actions, count = ranked.shape
+    names, count = rollouts.names, rollouts.count
     weights = [decision_weights(ranked, each.parameters) * count for each in judgements]
     worths = [each.certainty_equivalents for each in judgements]
     everything = np.concatenate([ranked.ravel(), *worths])
     utility_scale = linear(round_ticks(float(everything.min()), float(everything.max())))
     weight_scale = linear(round_ticks(0.0, float(max(1.0, np.max(weights)))))
     drawing = Drawing(lift=0.09, resolution=PAGE_RESOLUTION)
-    draw_levels(drawing, actions, utility_scale, UTILITY_BOTTOM, UTILITY_HEIGHT)
-    draw_levels(drawing, actions, weight_scale, 0.0, WEIGHT_HEIGHT)
-    names = rollouts.names
+    draw_levels(drawing, len(names), utility_scale, UTILITY_BOTTOM, UTILITY_HEIGHT)
+    draw_levels(drawing, len(names), weight_scale, 0.0, WEIGHT_HEIGHT)
     raised, colours = second_level(names), [each.colour for each in judgements]
     for index, name in enumerate(names):
-        left = index * PROSPECT_PITCH
+        left = index * PANEL_PITCH
         drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short_label(name))
         # the lowest line last: it would vanish in the peaks of the others
         for column in sorted(range(len(judgements)), key=lambda column: -weights[column].max()):
@@ -69,10 +61,9 @@ def log_prospects(
             mark = left + MARK_LEFT + column * MARK_WIDTH
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
-    draw_words(drawing, TITLE_BOTTOM + raised)
-    name_teachers(drawing, judgements, actions * PROSPECT_PITCH)
+    draw_words(drawing, judgements, TITLE_BOTTOM + raised, len(names) * PANEL_PITCH)
     drawing.log(stream, entities.PROSPECTS)
-    x = PROSPECT_PITCH * np.arange(actions)[:, None] + (np.arange(count) + 0.5) / count
+    x = PANEL_PITCH * np.arange(len(names))[:, None] + (np.arange(count) + 0.5) / count
     y = UTILITY_BOTTOM + UTILITY_HEIGHT * utility_scale(ranked)
     stream.log(
         entities.RANKED_OUTCOMES,
@@ -91,9 +82,8 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
         y = bottom + height * float(scale(tick))
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
             drawing.text((TICKS_MIDDLE, y), number(tick))
-        for left in PROSPECT_PITCH * np.arange(actions):
-            colour = LIGHT.faint if tick == 0.0 else LIGHT.grid
-            drawing.line([(left, y), (left + 1.0, y)], colour, 1.0)
+        for left in PANEL_PITCH * np.arange(actions):
+            drawing.line([(left, y), (left + 1.0, y)], line_colour(tick), 1.0)
 
 
 def stairs(left: float, heights: FloatArray) -> FloatArray:
@@ -102,23 +92,21 @@ def stairs(left: float, heights: FloatArray) -> FloatArray:
     return np.stack([np.repeat(edges, 2)[1:-1], np.repeat(heights, 2)], axis=-1)
 
 
-def draw_words(drawing: Drawing, top: float) -> None:
-    """Say at the left what the levels are, and below the first panel how outcomes are ordered.
+def draw_words(
+    drawing: Drawing, judgements: tuple[Judgement, ...], top: float, right: float
+) -> None:
+    """Say what the levels are, how outcomes are ordered, and whose lines and marks are whose.
 
-    Top is where the highest titles are.
+    The highest titles are at the top; right of the panels the colours of the teachers stand.
     """
     drawing.text((WORDS_MIDDLE, top), "utility")
     # the viewer hangs words from their first line
     drawing.text((WORDS_MIDDLE, WEIGHT_HEIGHT / 2.0 + 0.08), "weight ÷\nprobability")
     drawing.text((0.5, -0.24), "worst → best")
-
-
-def name_teachers(drawing: Drawing, judgements: tuple[Judgement, ...], left: float) -> None:
-    """Say whose lines and marks have which colour, right of the last panel."""
     for row, judgement in enumerate(judgements):
-        y = UTILITY_BOTTOM + UTILITY_HEIGHT - 0.32 * row
-        drawing.line([(left, y), (left + 0.15, y)], judgement.colour, 4.0)
-        drawing.text((left + 0.52, y), judgement.label)
+        y = UTILITY_TOP - 0.32 * row
+        drawing.line([(right, y), (right + 0.15, y)], judgement.colour, 4.0)
+        drawing.text((right + 0.52, y), judgement.label)
 
 
 def second_level(names: tuple[str, ...]) -> float:
@@ -131,6 +119,6 @@ def prospects_bounds(names: tuple[str, ...]) -> Bounds:
     return (
         WORDS_MIDDLE - 0.46,
         -0.4,
-        len(names) * PROSPECT_PITCH + 0.95,
+        len(names) * PANEL_PITCH + 0.95,
         TITLE_BOTTOM + second_level(names) + 0.15,
     )

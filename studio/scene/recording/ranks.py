@@ -16,23 +16,17 @@ from studio.scene.recording import entities
 from studio.style.palette import Theme
 from studio.style.words import number, short_label
 
-COLUMN_PITCH, ROW_PITCH, TALLEST_FIGURE = 2.0, 0.34, 2.4
-"""Distance of columns, distance of rows where there is room, height of all rows at most."""
+# lengths on the page
+COLUMN_PITCH = 2.0  # from one column to the next
+ROW_PITCH = 0.34  # from one row to the next where there is room
+TALLEST_FIGURE = 2.4  # all rows at most
+HEADER = 0.36  # height of the names of the teachers above the first row
+VALUE_LEFT = 0.34  # from a dot to the value at the right of it
+VALUE_RISE = 0.36  # of a value above its dot, in rows
+LEVEL = 0.6  # from a dot on, the line to the next one stays level under the value
+NAME_LETTER = 0.062  # width of a letter in the names of the actions beside the figure
 
-HEADER = 0.36
-"""How high above the first row the names of the teachers stand."""
-
-VALUE_LEFT, VALUE_RISE = 0.34, 0.36
-"""How far right of its dot a value stands, and how far above it, in rows."""
-
-LEVEL = 0.6
-"""How far the line to the next dot stays level under the value."""
-
-NAME_LETTER_WIDTH = 0.062
-"""Width of a letter in the names of the actions beside the figure."""
-
-LEAST_ROWS = 4
-"""A view has room for at least this many rows: with fewer, they would be enormous."""
+LEAST_ROWS = 4  # that a view has room for: with fewer, they would be enormous
 
 
 def log_ranks(
@@ -46,20 +40,20 @@ def log_ranks(
     A line an action joins its places. It is bold where the next teacher gives it another rank.
     """
     drawing = Drawing(lift=0.07)
-    rise = VALUE_RISE * row_pitch(len(names))
-    levels = [-row_pitch(len(names)) * judgement.ranks for judgement in judgements]
+    pitch = row_pitch(len(names))
+    levels = [-pitch * judgement.ranks for judgement in judgements]
     for column, judgement in enumerate(judgements):
         x = column * COLUMN_PITCH
         drawing.text((x, HEADER), judgement.label)
         for name, y, value in zip(names, levels[column], judgement.values, strict=True):
             drawing.dot((x, y), theme.action_colour(name), 13.0)
-            drawing.text((x + VALUE_LEFT, y + rise), number(value, ".3f"))
+            drawing.text((x + VALUE_LEFT, y + VALUE_RISE * pitch), number(value, ".3f"))
     for column, (here, there) in enumerate(pairwise(levels)):
         for name, y, next_y in zip(names, here, there, strict=True):
             width = 2.0 if y == next_y else 5.0
             drawing.line(bend(column, y, next_y), theme.action_colour(name), width)
     for index, name in enumerate(map(short_label, names)):
-        aside = 0.25 + NAME_LETTER_WIDTH * len(name) / 2
+        aside = 0.25 + NAME_LETTER * len(name) / 2
         drawing.text((-aside, levels[0][index]), name)
         if len(judgements) > 1:
             right = (len(judgements) - 1) * COLUMN_PITCH + VALUE_LEFT + 0.15
@@ -84,7 +78,7 @@ def bend(column: int, level: float, next_level: float) -> FloatArray:
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the ranks must show."""
-    aside = 0.4 + NAME_LETTER_WIDTH * max(len(short_label(name)) for name in names)
+    aside = 0.4 + NAME_LETTER * max(len(short_label(name)) for name in names)
     bottom = -row_pitch(len(names)) * max(len(names), LEAST_ROWS)
     right = (teachers - 1) * COLUMN_PITCH + VALUE_LEFT + 0.2 + aside
     return -aside, bottom + 0.1, right, HEADER + 0.24

@@ -24,11 +24,14 @@ def read_scene(contents: Contents) -> tuple[Rollouts, tuple[Judgement, ...]]:
 
     Raises:
         InputError: if something is missing.
-        ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
-            IndexError say.
+        ValueError: if something is not as the studio writes it; TypeError, KeyError and IndexError
+            mean the same.
     """
     rollouts = _rollouts(contents)
-    return rollouts, _judgements(contents, rollouts)
+    for array in vars(rollouts).values():
+        if isinstance(array, np.ndarray):
+            array.setflags(write=False)
+    return rollouts, _judgements(contents, rollouts.names)
 
 
 def _rollouts(contents: Contents) -> Rollouts:
@@ -45,44 +48,40 @@ def _rollouts(contents: Contents) -> Rollouts:
     count, people, dt = int(told["rollouts"]), len(scene.pedestrians), float(told["dt"])
     horizon = float(told["horizon"])
     times = round(horizon / dt) + 1
+    shape = len(actions), count
     robot, pedestrians = [], []
     for action in actions:
         at = f"/{entities.robots(action.name)}"
         place = contents.over_time(at, "Points2D:positions", "step")
         heading = contents.over_time(at, "heading", "step")[..., None]
         robot.append(np.concatenate([place, heading], axis=-1).swapaxes(0, 1))
+        walks = np.empty((times, 0, 2))
         if people:
             at = f"/{entities.pedestrians(action.name)}"
-            moved = contents.over_time(at, "Points2D:positions", "step").reshape(
-                times, count, people, 2
-            )
-            pedestrians.append(moved.swapaxes(0, 1))
-        else:
-            pedestrians.append(np.empty((count, times, 0, 2)))
-    features = np.stack(
-        [contents.static(f"/{entities.OUTCOMES}", feature) for feature in FEATURES], axis=-1
-    ).reshape(len(actions), count, len(FEATURES))
-    contact_step = contents.static(f"/{entities.OUTCOMES}", "contact_step")
-    return _frozen(
-        Rollouts(
-            scene=scene,
-            actions=actions,
-            seed=int(told["seed"]),
-            noise=Noise(**parts["noise"]),
-            limits=Limits(**parts["limits"]),
-            model=told["model"],
-            engine=told["engine"],
-            wrap_angles=bool(told["wrap_angles"]),
-            dt=dt,
-            robot=np.array(robot, np.float64).reshape(len(actions), count, times, 3),
-            pedestrians=np.array(pedestrians, np.float64),
-            without_robot=_without_robot(contents, times, people),
-            features=features.astype(np.float64),
-            clearance_m=CLEARANCE_SCALE * features[..., 0].astype(np.float64),
-            deviation_m=DEVIATION_SCALE * features[..., 1].astype(np.float64),
-            progress_m=PROGRESS_SPEED * horizon * features[..., 2].astype(np.float64),
-            contact_step=contact_step.astype(np.int64).reshape(len(actions), count),
-        )
+            walks = contents.over_time(at, "Points2D:positions", "step")
+        pedestrians.append(walks.reshape(times, count, people, 2).swapaxes(0, 1))
+    outcomes = f"/{entities.OUTCOMES}"
+    columns = [contents.static(outcomes, feature) for feature in FEATURES]
+    features = np.stack(columns, axis=-1).reshape(*shape, len(FEATURES)).astype(np.float64)
+    contact_step = contents.static(outcomes, "contact_step")
+    return Rollouts(
+        scene=scene,
+        actions=actions,
+        seed=int(told["seed"]),
+        noise=Noise(**parts["noise"]),
+        limits=Limits(**parts["limits"]),
+        model=told["model"],
+        engine=told["engine"],
+        wrap_angles=bool(told["wrap_angles"]),
+        dt=dt,
+        robot=np.array(robot, np.float64).reshape(*shape, times, 3),
+        pedestrians=np.array(pedestrians, np.float64),
+        without_robot=_without_robot(contents, times, people),
+        features=features,
+        clearance_m=CLEARANCE_SCALE * features[..., 0],
+        deviation_m=DEVIATION_SCALE * features[..., 1],
+        progress_m=PROGRESS_SPEED * horizon * features[..., 2],
+        contact_step=contact_step.astype(np.int64).reshape(shape),
     )
 
 
@@ -96,22 +95,15 @@ def _without_robot(contents: Contents, times: int, people: int) -> FloatArray:
     return walks.reshape(-1, people, times, 2).swapaxes(1, 2)
 
 
-def _judgements(contents: Contents, rollouts: Rollouts) -> tuple[Judgement, ...]:
-    people = PROFILES
+def _judgements(contents: Contents, actions: tuple[str, ...]) -> tuple[Judgement, ...]:
+    profiles = PROFILES
     if contents.has(entities.SIMULATION, "teachers"):
         told: dict[str, Any] = tomllib.loads(contents.text(entities.SIMULATION, "teachers"))
-        people = {name: CptParameters(**numbers) for name, numbers in told.items()}
+        profiles = {name: CptParameters(**numbers) for name, numbers in told.items()}
     judgements = []
-    for teacher, parameters in people.items():
+    for teacher, parameters in profiles.items():
         values = contents.static(f"/{entities.JUDGEMENTS}", teacher).astype(np.float64)
-        if values.shape != (len(rollouts.actions),):
+        if values.shape != (len(actions),):
             raise contents.damaged(f"{teacher} judges {values.size} actions")
         judgements.append(Judgement(teacher, parameters, values))
     return tuple(judgements)
-
-
-def _frozen(rollouts: Rollouts) -> Rollouts:
-    for array in vars(rollouts).values():
-        if isinstance(array, np.ndarray):
-            array.setflags(write=False)
-    return rollouts

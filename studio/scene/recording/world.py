@@ -19,14 +19,9 @@ from studio.scene.recording.moving import PATH_STRIDE
 from studio.style.palette import Theme
 from studio.style.words import short_label
 
-WALL_THICKNESS = 0.12
-"""Thickness of the drawn walls, m; the simulated ones are lines."""
-
-MOST_PATHS_BESIDE_LABELS = 10
-"""How many paths of each action the names are placed beside; further ones lie near these."""
-
-LABEL_ORDER = 1000.0
-"""The dots and lines of the labels lie above the robots of all actions."""
+WALL_THICKNESS = 0.12  # of the drawn walls, m; the simulated ones are lines
+MOST_PATHS_BESIDE_LABELS = 10  # of each action; further ones lie near these
+LABEL_ORDER = 1000.0  # the dots and lines of the labels lie above the robots of all actions
 
 
 def log_world(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme) -> None:

@@ -12,6 +12,7 @@ import rerun as rr
 import tomli_w
 
 from scenes import Rollouts, scene_to_toml
+from studio.arrays import Bounds
 from studio.recorder.drawing import log_ground, y_upwards
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
@@ -40,16 +41,20 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     Raises:
         OSError: if the file cannot be written.
     """
+    versions, theme = package_versions(), LIGHT.of(rollouts.names)
     bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
     blueprint = recording_blueprint(rollouts, len(judgements), bounds)
-    versions = package_versions()
-    theme = LIGHT.of(rollouts.names)
     with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
         stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
-        log_simulation(stream, rollouts, judgements, versions, theme)
+        log_simulation(stream, rollouts, judgements, bounds, versions, theme)
         if rollouts.scene.pedestrians:
             log_gap(stream, rollouts, theme)
-        log_figures(stream, rollouts, judgements, theme)
+        stream.log(entities.FIGURES, y_upwards(), static=True)
+        log_distributions(stream, rollouts, theme)
+        log_action_table(stream, rollouts, judgements, theme)
+        log_prospects(stream, rollouts, judgements, theme)
+        log_curves(stream, judgements)
+        log_ranks(stream, rollouts.names, judgements, theme)
         log_page(stream, entities.SUMMARY, scene_summary(rollouts, judgements))
         log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
         log_page(stream, entities.ABOUT, scene_page(rollouts, judgements, versions))
@@ -59,13 +64,17 @@ def log_simulation(
     stream: rr.RecordingStream,
     rollouts: Rollouts,
     judgements: tuple[Judgement, ...],
+    bounds: Bounds,
     versions: dict[str, str],
     theme: Theme,
 ) -> None:
-    """Keep what was simulated and judged: all that a scene is read back from."""
+    """Keep what was simulated and judged: all that a scene is read back from.
+
+    Views of the world show these bounds.
+    """
     log_simulation_properties(stream, rollouts, judgements, versions)
     log_ground(stream)
-    log_world(stream, rollouts, bounds_of_shape(rollouts, *VIEW_SHAPE), theme)
+    log_world(stream, rollouts, bounds, theme)
     for index in range(len(rollouts.actions)):
         log_action(stream, rollouts, index, theme)
     if rollouts.scene.pedestrians:
@@ -81,10 +90,10 @@ def log_simulation_properties(
     versions: dict[str, str],
 ) -> None:
     """Say what is needed to make the recording again."""
-    scene, actions = rollouts.scene, rollouts.actions
+    actions = {"actions": [asdict(action) for action in rollouts.actions]}
     teachers = {each.teacher: asdict(each.parameters) for each in judgements}
     # a component costs a kilobyte however little it holds, hence text where there are many
-    stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(scene)))
+    stream.send_property("scene", rr.AnyValues(toml=scene_to_toml(rollouts.scene)))
     stream.send_property(
         "simulation",
         rr.AnyValues(
@@ -98,23 +107,11 @@ def log_simulation_properties(
             wrap_angles=rollouts.wrap_angles,
             noise=tomli_w.dumps(asdict(rollouts.noise)),
             limits=tomli_w.dumps(asdict(rollouts.limits)),
-            actions=tomli_w.dumps({"actions": [asdict(action) for action in actions]}),
+            actions=tomli_w.dumps(actions),
             teachers=tomli_w.dumps(teachers),
             versions=tomli_w.dumps(versions),
         ),
     )
-
-
-def log_figures(
-    stream: rr.RecordingStream, rollouts: Rollouts, judgements: tuple[Judgement, ...], theme: Theme
-) -> None:
-    """Draw all figures."""
-    stream.log(entities.FIGURES, y_upwards(), static=True)
-    log_distributions(stream, rollouts, theme)
-    log_action_table(stream, rollouts, judgements, theme)
-    log_prospects(stream, rollouts, judgements, theme)
-    log_curves(stream, judgements)
-    log_ranks(stream, rollouts.names, judgements, theme)
 
 
 def identity(rollouts: Rollouts) -> str:

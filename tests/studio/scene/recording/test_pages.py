@@ -16,18 +16,6 @@ from tests.studio.scene.made_up import make_rollouts
 pytestmark = pytest.mark.usefixtures("strict_rerun")
 
 
-@pytest.fixture(scope="module")
-def rollouts() -> Rollouts:
-    return make_rollouts()
-
-
-@pytest.fixture(scope="module")
-def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("recording") / "test.rrd"
-    write_recording(path, rollouts, judge(rollouts))
-    return path
-
-
 def test_pages_name_the_pairs_that_teachers_order_differently(rollouts: Rollouts) -> None:
     eu, tk, _ = judge(rollouts)
     eu, tk = (replace(eu, values=np.array([0.3, 0.1])), replace(tk, values=np.array([0.1, 0.35])))

@@ -23,18 +23,6 @@ REFERENCE = Path(__file__).parents[4] / "recordings" / "README.md"
 HALF_A_STEP = 1.0 / 256.0
 
 
-@pytest.fixture(scope="module")
-def rollouts() -> Rollouts:
-    return make_rollouts()
-
-
-@pytest.fixture(scope="module")
-def recording(rollouts: Rollouts, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("recording") / "test.rrd"
-    write_recording(path, rollouts, judge(rollouts))
-    return path
-
-
 def test_what_was_written_can_be_verified(recording: Path) -> None:
     verify(recording)
 

@@ -1,0 +1,25 @@
+"""What the things that only the recording of a comparison has are called.
+
+All else in it has the names that the recording of a scene gives it.
+"""
+
+from studio.recorder.names import entity_part
+from studio.scene.recording.entities import FIGURES, WORLD
+
+APPLICATION = "prospect_studio_comparison"
+"""Blueprints belong to an application, so each kind of recording is one of its own."""
+
+STORY = "story"
+"""The timeline along which one outcome plays after the other."""
+
+COMPARED = "/__properties/comparison"
+
+
+def story(name: str) -> str:
+    """The world under one action, its outcomes one after the other."""
+    return f"{WORLD}/story/{entity_part(name)}"
+
+
+def dots(name: str) -> str:
+    """The figure of one action's outcomes as dots that gather."""
+    return f"{FIGURES}/dots/{entity_part(name)}"
