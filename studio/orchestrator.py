@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
     import pyarrow as pa
 
-    from learners import Learner, Teacher
-    from learners.studying.plan import Study
+    from learners import Learner, Study, Teacher
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
+    from scenes.rollouts import Engine
     from studio.comparison.comparison import Comparison
     from studio.recording import Excerpt, Look, Recording
     from studio.scene.judgements import Judgement
@@ -213,13 +213,11 @@ class Studio:
             InputError: if the plan asks for something that cannot be simulated
                 (`scenes.InputError`), or the file cannot be written.
         """
-        from scenes import warm_up
         from scenes.bank import write_bank
 
         path = Path(path)
         with replacing(path) as [part]:
-            with self.progress.waiting(_COMPILING):
-                warm_up(plan.engine)
+            self._warm_up(plan.engine)
             with self.progress.steps("scenes") as done:
                 write_bank(part, plan, done)
         return path
@@ -255,8 +253,7 @@ class Studio:
                 cannot be studied (`learners.InputError`, `scenes.InputError`).
         """
         drawn = () if figure is None else (check_figure(Path(figure)),)
-        from learners import find_learners, find_teachers, read_bank
-        from learners.studying.plan import Study
+        from learners import Study, find_learners, find_teachers, read_bank
 
         who, fitted = find_teachers(teachers), find_learners(learners)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
@@ -275,35 +272,35 @@ class Studio:
 
             from studio.study.picture.page import compose_study_picture
             from studio.study.recording.write import write_study_recording
+            from studio.study.results import StudyResults
 
+            results = StudyResults(table, study.teachers)
             # first the scenes, so that no link ever leads nowhere
-            links = self._record_scenes(study, table, bank)
+            links = self._record_scenes(study, results.told_scenes, bank)
             write_table(parquet, table)
-            compose_study_picture(table, study.teachers).save(png)
-            settings = {"outcomes": bank.name}
-            write_study_recording(rrd, table, study.teachers, settings, links)
+            compose_study_picture(results).save(png)
+            write_study_recording(rrd, results, {"outcomes": bank.name}, links)
             for paper in papers:
                 from studio.study.paper.figure import write_paper_figure
-                from studio.study.results import StudyResults
                 from studio.study.words import paper_caption
 
-                write_paper_figure(paper, table, study.teachers)
-                caption = paper_caption(StudyResults(table, study.teachers))
+                write_paper_figure(paper, results)
+                caption = paper_caption(results)
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
         return Learned(files=(*files, *drawn, *scenes), table=table, caption=caption)
 
-    def _record_scenes(self, study: Study, table: pa.Table, bank: Path) -> dict[int, SceneLink]:
-        """Record the scenes that tell most about the learners, as far as they can be made again."""
-        from scenes import warm_up
+    def _record_scenes(
+        self, study: Study, numbers: Sequence[int], bank: Path
+    ) -> dict[int, SceneLink]:
+        """Record these scenes of the bank, as far as they can be made again."""
         from scenes.bank import read_plan
-        from studio.study.scenes import record_scenes, told_scenes
+        from studio.study.scenes import record_scenes
 
-        plan, numbers = read_plan(bank), told_scenes(table, study.teachers)
+        plan = read_plan(bank)
         if plan is None or not numbers:
             return {}
-        with self.progress.waiting(_COMPILING):
-            warm_up(plan.engine)
+        self._warm_up(plan.engine)
         with self.progress.steps("recordings of scenes") as done:
             return record_scenes(self.out, plan, study.prospects, numbers, done)
 
@@ -353,12 +350,17 @@ class Studio:
                 self._paint(pictures, read_recording(part))
 
     def _simulate(self, scene: Scene, seed: int, settings: dict[str, Any]) -> Rollouts:
-        """Simulate a scene, and say why if the engine has to be compiled first."""
-        from scenes import simulate, warm_up
+        from scenes import simulate
+
+        self._warm_up(settings.get("engine", "batched"))
+        return simulate(scene, seed=seed, **settings)
+
+    def _warm_up(self, engine: Engine) -> None:
+        """Get an engine ready, and say why that takes long if it has to be compiled first."""
+        from scenes import warm_up
 
         with self.progress.waiting(_COMPILING):
-            warm_up(settings.get("engine", "batched"))
-        return simulate(scene, seed=seed, **settings)
+            warm_up(engine)
 
     def _paint(
         self,

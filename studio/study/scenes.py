@@ -6,9 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
 
-from learners import Prospects, Teacher
+from learners import Prospects
 from scenes import InputError, Rollouts
 from scenes.bank import BankPlan, planned_scene, simulate_planned
 from studio.files import replacing
@@ -16,16 +15,9 @@ from studio.scene.again import record_command
 from studio.scene.judgements import judge
 from studio.scene.recording.write import write_recording
 from studio.study.recording.scenes import SceneLink
-from studio.study.results import StudyResults
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""
-
-
-def told_scenes(table: pa.Table, teachers: Sequence[Teacher]) -> list[int]:
-    """Ids of the scenes that tell most about the learners of these teachers, each once."""
-    telling = StudyResults(table, tuple(teachers)).telling.values()
-    return list(dict.fromkeys(number for numbers in telling for number in numbers))
 
 
 def record_scenes(

@@ -16,14 +16,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
-from learners import Curve, Teacher
+from learners import Curve
 from studio.study.paper.page import (
     EDGE,
     PAD,
@@ -80,15 +79,8 @@ _PENS = (
 """Of the learners in `LEARNER_COLOURS`, then of a user's own."""
 
 
-def write_paper_figure(path: Path, table: pa.Table, teachers: Sequence[Teacher]) -> None:
-    """Write the figure of a study as a PDF or SVG file.
-
-    Args:
-        path: ends in .pdf or .svg.
-        table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who was learned from, in the order of the panels.
-    """
-    results = StudyResults(table, tuple(teachers))
+def write_paper_figure(path: Path, results: StudyResults) -> None:
+    """Write the figure of a study, complete or not, as a PDF or SVG file."""
     is_pdf = path.suffix.lower() == ".pdf"
     about = {
         "Title": "Learning curves",

@@ -5,10 +5,7 @@ function that were learnt beside the true ones, the parameters, and how well pre
 are predicted. A single teacher gets the page to himself, in two columns.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-
-import pyarrow as pa
 
 from learners import Teacher
 from studio.painter.boxes import Box
@@ -41,13 +38,12 @@ _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights
 
 
 def compose_study_picture(
-    table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE, theme: Theme = LIGHT
+    results: StudyResults, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
 ) -> Canvas:
-    """Draw the picture of a study.
+    """Draw the picture of a study, of whose teachers only the first four are shown.
 
     Args:
-        table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who was learned from; of more than four, the first four are shown.
+        results: of the study; it may be incomplete.
         size: width and height, px.
         theme: of the page.
 
@@ -57,7 +53,7 @@ def compose_study_picture(
     Raises:
         InputError: if the size is not allowed.
     """
-    page = lay_out_study(StudyResults(table, tuple(teachers)), size, theme)
+    page = lay_out_study(results, size, theme)
     return draw_stage(page, page.results.stages[-1])
 
 

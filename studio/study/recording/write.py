@@ -6,13 +6,12 @@ editions.
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 import rerun as rr
 import tomli_w
 from numpy.typing import NDArray
@@ -52,26 +51,20 @@ NAMED = ("teacher", "learner", "pairs")
 
 
 def write_study_recording(
-    path: Path,
-    table: pa.Table,
-    teachers: Sequence[Teacher],
-    properties: Mapping[str, Property],
-    links: Links | None = None,
+    path: Path, results: StudyResults, settings: Mapping[str, Property], links: Links | None = None
 ) -> None:
     """Write a recording of a study.
 
     Args:
         path: the `.rrd` file to write.
-        table: what came of the study, one row a fit, see `learners.STUDY_SCHEMA`.
-        teachers: who was learned from; those without rows are left out.
-        properties: what else the recording shall say about itself, kept as its property
+        results: of the study; teachers without fits are left out.
+        settings: what else the recording shall say about itself, kept as its property
             `settings`; `outcomes`, the bank, goes into the command that makes it again.
         links: the recordings of scenes of the study to which the pages link.
 
     Raises:
         OSError: if the file cannot be written.
     """
-    results, settings = StudyResults(table, tuple(teachers)), dict(properties)
     results = results.among(results.taught)
     versions = package_versions()
     identity, blueprint = _identity(results, settings), study_blueprint(results)
@@ -105,8 +98,8 @@ def write_study_recording(
 def log_study_properties(
     stream: rr.RecordingStream,
     results: StudyResults,
-    settings: dict[str, Any],
-    versions: dict[str, str],
+    settings: Mapping[str, Any],
+    versions: Mapping[str, str],
 ) -> None:
     """Name the recording and say what is needed to make it again."""
     stream.send_recording_name(
@@ -162,7 +155,7 @@ def _numbers(column: str, given: Any) -> NDArray[Any]:
     return np.atleast_1d(np.array(given, dtype=np.int64 if column in _WHOLE else np.float64))
 
 
-def _identity(results: StudyResults, settings: dict[str, Any]) -> str:
+def _identity(results: StudyResults, settings: Mapping[str, Any]) -> str:
     """An id that is the same for the same study: opened twice, it is one recording."""
     made_of = (
         [teacher.description() for teacher in results.teachers],
