@@ -79,18 +79,19 @@ _PENS = (
 """Of the learners in `LEARNER_COLOURS`, then of a user's own."""
 
 
-def write_paper_figure(path: Path, results: StudyResults) -> None:
-    """Write the figure of a study, complete or not, as a PDF or SVG file."""
-    is_pdf = path.suffix.lower() == ".pdf"
+def write_paper_figure(path: Path, results: StudyResults) -> str:
+    """Write the figure of a study as a PDF or SVG file, and give the caption that it holds."""
+    is_pdf, caption = path.suffix.lower() == ".pdf", paper_caption(results)
     about = {
         "Title": "Learning curves",
         "Creator": "prospect-studio",
-        "Subject" if is_pdf else "Description": paper_caption(results),
+        "Subject" if is_pdf else "Description": caption,
         "CreationDate" if is_pdf else "Date": None,
     }
     figure = compose_paper_figure(results)
     with settings():
         figure.savefig(path, metadata=about)
+    return caption
 
 
 def compose_paper_figure(results: StudyResults) -> Figure:

@@ -160,8 +160,6 @@ def about_study_page(
 
 def study_command(results: StudyResults, settings: Mapping[str, object]) -> str:
     """The command that makes the study again."""
-    if "command" in settings:
-        return str(settings["command"])
     known, own = [], []
     for teacher in results.teachers:
         standard = TEACHERS.get(teacher.name)
