@@ -28,10 +28,9 @@ from studio.style.palette import LIGHT, Theme, teacher_colour
 from studio.style.words import teacher_name
 
 SIZE = (1600, 1000)
+"""Width and height of the picture unless one asks for others, px."""
 
-MOST_TEACHERS = 4
-"""Columns of more teachers would be too narrow to read."""
-
+_MOST_TEACHERS = 4  # columns of more teachers would be too narrow to read
 _BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
@@ -59,15 +58,12 @@ def compose_study_picture(
 
 @dataclass(frozen=True)
 class TeacherColumn:
-    """Where the teacher's name and verdict (`head`) and the plots about one teacher lie.
-
-    `shapes`, for weights and values, is None if no learner learnt any.
-    """
+    """Where the plots about one teacher lie."""
 
     teacher: Teacher
-    head: Box
+    head: Box  # for the teacher's name and the verdict
     regret: Box
-    shapes: Box | None
+    shapes: Box | None  # for weights and values; None if no learner learnt any
     parameters: Box
     calibration: Box
     agreement: Box
@@ -75,23 +71,14 @@ class TeacherColumn:
 
 @dataclass(frozen=True)
 class StudyPage:
-    """What stays the same at all stages of a study.
+    """What stays the same at all stages of a study."""
 
-    Attributes:
-        canvas: with the title of the study.
-        results: of the teachers that there is room for.
-        heading: where the title lies; the number of pairs is at its right.
-        columns: one a teacher.
-        notes: where the notes lie.
-        scales: that the plots of all teachers share.
-    """
-
-    canvas: Canvas
-    results: StudyResults
-    heading: Box
-    columns: tuple[TeacherColumn, ...]
-    notes: Box
-    scales: Scales
+    canvas: Canvas  # with the title of the study
+    results: StudyResults  # of the teachers that there is room for
+    heading: Box  # where the title lies; the number of pairs is at its right
+    columns: tuple[TeacherColumn, ...]  # one a teacher
+    notes: Box  # where the notes lie
+    scales: Scales  # that the plots of all teachers share
 
 
 def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) -> StudyPage:
@@ -100,8 +87,8 @@ def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) ->
     Raises:
         InputError: if the size is not allowed.
     """
-    left_out = len(results.teachers[MOST_TEACHERS:])
-    results = results.among(results.teachers[:MOST_TEACHERS])
+    left_out = len(results.teachers[_MOST_TEACHERS:])
+    results = results.among(results.teachers[:_MOST_TEACHERS])
     canvas = Canvas(*size, theme)
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]

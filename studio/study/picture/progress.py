@@ -6,21 +6,13 @@ import numpy as np
 
 from learners import Curve, Teacher
 from studio.arrays import FloatArray
-from studio.painter.axes import (
-    Axis,
-    LogAxis,
-    caption,
-    foot,
-    ground,
-    gutter,
-    labels_below,
-    labels_beside,
-)
+from studio.painter.axes import Axis, LogAxis, ground, gutter, labels_below, labels_beside
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import band, dot
+from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
 from studio.study.words import NO_FITS
@@ -38,11 +30,9 @@ def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
         "Regret, % of random",
         "Regret, %",
     ]
-    rest = caption(canvas, box, wordings)
     low, high = scales.regret
     marks = decades(low, high)
-    left = gutter(canvas, [number(mark) for mark in marks])
-    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
     has_zero = stage.results.regrets.has_zero
     strip = 1.5 * kind.small if has_zero else 0.0
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
@@ -64,10 +54,8 @@ def draw_agreement(
         "Best picks, %",
         "Agreement",
     ]
-    rest = caption(canvas, box, wordings)
     marks = [mark for mark in ticks(scales.agreement, 100.0, 4) if mark <= 100.0]
-    left = gutter(canvas, [number(mark) for mark in marks])
-    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
     # a margin keeps dots at the top whole
     up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
     curves = stage.results.curves_of("agreement", teacher)
