@@ -53,12 +53,7 @@ def study_titles(results: StudyResults) -> list[str]:
 
 
 def study_subtitles(results: StudyResults, left_out: int) -> list[str]:
-    """Wordings of what was studied as a whole.
-
-    Args:
-        results: of the teachers that the picture shows.
-        left_out: how many more teachers the study has.
-    """
+    """Wordings of what was studied as a whole, if this number of its teachers is left out."""
     if not results.fits:
         return [NO_FITS]
     fits = counted(len(results.fits), "fit")

@@ -47,24 +47,16 @@ from studio.style.places import spread_apart
 from studio.style.words import learner_name, number
 
 _MARK = 3.2  # size of marks, pt
-_BAND = 0.17
-"""How opaque a band is."""
+_BAND = 0.17  # how opaque a band is
 
 
 @dataclass(frozen=True)
 class _Pen:
-    """What a learner's curve looks like apart from its colour.
+    """What a learner's curve looks like apart from its colour."""
 
-    Attributes:
-        mark: matplotlib's name of the mark.
-        dashes: lengths of dashes and of the gaps after them, in widths of the line; empty for a
-            line without gaps.
-        filled: whether marks are filled; the others are white inside.
-    """
-
-    mark: str
-    dashes: tuple[float, ...]
-    filled: bool
+    mark: str  # matplotlib's name of the mark
+    dashes: tuple[float, ...]  # lengths of dashes and gaps, in widths of the line; empty: no gaps
+    filled: bool  # whether marks are filled; the others are white inside
 
 
 _PENS = (

@@ -20,8 +20,7 @@ from studio.study.recording.minds import parameter_bounds
 from studio.study.results import StudyResults
 from studio.study.words import short_teacher_name
 
-PLAYING_TIME = 12.0
-"""How long the whole study takes when it is played, s."""
+_PLAYING_TIME = 12.0  # that the whole study takes when it is played, s
 
 
 def study_blueprint(results: StudyResults) -> rrb.Blueprint:
@@ -38,7 +37,7 @@ def study_blueprint(results: StudyResults) -> rrb.Blueprint:
         # the latest is the best that was learned; play begins anew from the first
         play_state="following",
         loop_mode="off",
-        frames_per_second=max(1.0, results.sizes[-1] / PLAYING_TIME),
+        frames_per_second=max(1.0, results.sizes[-1] / _PLAYING_TIME),
     )
 
 

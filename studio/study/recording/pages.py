@@ -25,17 +25,11 @@ from studio.style.words import counted, learner_name, number, teacher_name
 
 @dataclass(frozen=True)
 class _Measure:
-    """How pages write a column of the study's table.
-
-    Attributes:
-        column: its name.
-        form: of its numbers, as Python formats them.
-        factor: what its numbers are multiplied by.
-    """
+    """How pages write a column of the study's table."""
 
     column: str
-    form: str
-    factor: float = 1.0
+    form: str  # of its numbers, as Python formats them
+    factor: float = 1.0  # what its numbers are multiplied by
 
 
 _REGRET = _Measure("regret_percent", ".2f")

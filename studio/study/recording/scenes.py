@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
@@ -15,17 +16,11 @@ from studio.style.words import counted, number
 
 @dataclass(frozen=True)
 class SceneLink:
-    """The recording of a scene of a study.
+    """The recording of a scene of a study."""
 
-    Attributes:
-        name: what the scene is called there.
-        path: where the recording is, from the folder of the study's own recording.
-        commands: the command lines that make it again in that folder; none if only a study does.
-    """
-
-    name: str
-    path: str
-    commands: tuple[str, ...]
+    name: str  # what the scene is called there
+    path: str  # where the recording is, from the folder of the study's own recording
+    commands: tuple[str, ...]  # that make it again in that folder; none if only a study does
 
 
 Links = Mapping[int, SceneLink]
@@ -34,12 +29,9 @@ Links = Mapping[int, SceneLink]
 
 def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:
     """The scenes in which learners differ most, with links to the recordings there are."""
-    several = len(results.learners) > 1
-    chosen = (
-        "in which the learners' regrets differ most (or else are largest)"
-        if several
-        else "of the largest regret"
-    )
+    chosen = "of the largest regret"
+    if len(results.learners) > 1:
+        chosen = "in which the learners' regrets differ most (or else are largest)"
     least = family_figure(results).scale.ticks[0]
     return "\n".join(
         [
@@ -55,11 +47,7 @@ def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:
             "All regrets, drawn and written, are in % of what a random action costs the teacher in "
             "scenes of that family, on average.",
             "",
-            *(
-                line
-                for teacher in results.teachers
-                for line in _teacher(results, links, teacher, pairs)
-            ),
+            *chain(*(_teacher(results, links, teacher, pairs) for teacher in results.teachers)),
             "Regret is the mean over the seeds that held the scene out, so many as the tables say; "
             "a pick is that of most of these seeds.",
             "",
