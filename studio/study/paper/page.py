@@ -154,13 +154,8 @@ class PaperPage:
 def with_room(places: Sequence[float], lengths: Sequence[float], gap: float) -> list[int]:
     """Which of several labels there is room for: the last, the first, then what fits between.
 
-    Args:
-        places: where the middles of labels lie along an axis.
-        lengths: how long labels are along the axis.
-        gap: least distance between two labels.
-
-    Returns:
-        Their indices, ascending.
+    Given are where the middles of labels lie along an axis, how long labels are along it, and the
+    least gap between two; returned are indices, ascending.
     """
     kept: list[int] = []
     everything = range(len(places))

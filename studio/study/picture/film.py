@@ -22,13 +22,7 @@ def compose_study_film(
     frames_per_second: int = 30,
     theme: Theme = LIGHT,
 ) -> list[Segment]:
-    """The film of a study as segments, one for each number of pairs.
-
-    Args:
-        results: of the study, see `compose_study_picture`.
-        size: width and height, px; even.
-        frames_per_second: whole.
-        theme: of the page.
+    """The film of a study as segments, one for each number of pairs; it has even sides (px).
 
     Raises:
         InputError: if the size is not allowed.

@@ -39,15 +39,7 @@ _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights
 def compose_study_picture(
     results: StudyResults, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
 ) -> Canvas:
-    """Draw the picture of a study, of whose teachers only the first four are shown.
-
-    Args:
-        results: of the study; it may be incomplete.
-        size: width and height, px.
-        theme: of the page.
-
-    Returns:
-        The canvas, which holds the pixels and knows where its texts are.
+    """Draw the picture of a study, of whose teachers the first four are shown; sizes are in px.
 
     Raises:
         InputError: if the size is not allowed.
@@ -136,11 +128,7 @@ def _lay_out_column(
 
 
 def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
-    """Draw what was found by a stage on a page that was laid out for the study.
-
-    Returns:
-        A canvas of its own.
-    """
+    """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
     kind, ink, scales = canvas.type, canvas.theme.ink, page.scales
     corner = (page.heading.right, page.heading.top)

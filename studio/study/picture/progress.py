@@ -75,9 +75,7 @@ def _draw_curves(
 
     They go as far as the stage does; their names stand to the right of the farthest end. The axis
     upwards is that of the curves' values times `scale`, which `say` turns into words.
-
-    Returns:
-        How many curves have begun.
+    Returned is how many curves have begun.
     """
     unit, size = canvas.unit, canvas.type.small
 

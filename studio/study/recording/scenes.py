@@ -1,6 +1,5 @@
 """The page of a recording of a study that says in which scenes the learners differ most."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain
 
@@ -8,7 +7,7 @@ import numpy as np
 
 from learners import Teacher
 from studio.recorder.markdown import table
-from studio.study.recording.families import LEAST_PERCENT, family_figure
+from studio.study.recording.families import LEAST_PERCENT, family_figure, scene_percents
 from studio.study.results import StudyResults
 from studio.study.words import learner_called, teacher_called
 from studio.style.words import counted, number
@@ -23,7 +22,7 @@ class SceneLink:
     commands: tuple[str, ...]  # that make it again in that folder; none if only a study does
 
 
-Links = Mapping[int, SceneLink]
+Links = dict[int, SceneLink]
 """Recordings by the scene's id in the bank."""
 
 
@@ -85,13 +84,12 @@ def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pai
     if regrets is None or scene not in regrets.scenes:
         return "–"
     at = int(np.flatnonzero(regrets.scenes == scene)[0])
-    family = results.scenes[scene].family
-    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    pick, percent = regrets.picks[at], float(scene_percents(results, teacher, regrets)[at])
     if percent <= 0.0:
-        return f"{regrets.picks[at]}, 0 %"
+        return f"{pick}, 0 %"
     if percent < LEAST_PERCENT:
-        return f"{regrets.picks[at]}, < {number(LEAST_PERCENT)} %"
-    return f"{regrets.picks[at]}, {percent:.{0 if percent >= 10.0 else 1}f} %"
+        return f"{pick}, < {number(LEAST_PERCENT)} %"
+    return f"{pick}, {percent:.{0 if percent >= 10.0 else 1}f} %"
 
 
 def _runs(results: StudyResults, teacher: Teacher, scene: int) -> int:

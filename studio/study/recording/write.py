@@ -44,14 +44,15 @@ from studio.study.results import CURVE_COLUMNS, StudyResults
 SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
 
-Property = str | float | int | bool
-
-NAMED = ("teacher", "learner", "pairs")
-"""Columns that are not kept, because entity path and time tell them."""
+_NAMED = ("teacher", "learner", "pairs")  # columns that entity path and time tell
+_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")  # whole numbers
 
 
 def write_study_recording(
-    path: Path, results: StudyResults, settings: Mapping[str, Property], links: Links | None = None
+    path: Path,
+    results: StudyResults,
+    settings: Mapping[str, str | float | bool],
+    links: Links | None = None,
 ) -> None:
     """Write a recording of a study.
 
@@ -133,7 +134,7 @@ def log_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teac
             fits: dict[str, Any] = {
                 column: np.concatenate([_numbers(column, row[column]) for row in rows])
                 for column, first in rows[0].items()
-                if column not in NAMED and first is not None
+                if column not in _NAMED and first is not None
             }
             stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
             curves = {column: results.curve(column, teacher, learner) for column in CURVE_COLUMNS}
@@ -143,9 +144,6 @@ def log_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teac
                 if curve and (spread := curve.at(pairs))
             }
             stream.log(entities.curves(teacher.name, learner), rr.AnyValues(**spreads))
-
-
-_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")
 
 
 def _numbers(column: str, given: Any) -> NDArray[Any]:
