@@ -11,6 +11,7 @@ from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.study.picture.film import compose_study_film
 from studio.study.picture.page import compose_study_picture, draw_stage, lay_out_study
+from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
 from tests.studio.study.tables import THREE, study_table
@@ -164,6 +165,10 @@ def test_zero_regret_has_a_place_of_its_own_on_the_logarithmic_axis():
     canvas = compose_study_picture(case(regret_percent=0.0))
     assert "EU 0 %" in texts_of(canvas)
     assert "CPT 0 %" in texts_of(canvas)
+
+
+def test_without_fits_the_axis_of_regret_is_that_around_one_percent():
+    assert Scales.around(NOTHING).regret == pytest.approx((2.0 / 3.0, 12.0))
 
 
 def test_shapes_are_shown_only_if_somebody_learnt_them():
