@@ -18,6 +18,7 @@ from learners import (
     InputError,
     PairedDifference,
     SceneRegrets,
+    Spread,
     StudyScene,
     Teacher,
     family_curves,
@@ -148,6 +149,11 @@ class StudyResults:
     def curve(self, column: str, teacher: Teacher, learner: str) -> Curve | None:
         """The curve of a column; None if the learner has nothing in it."""
         return _found(self.curves(column), teacher, learner)
+
+    def spread(self, column: str, teacher: Teacher, learner: str, pairs: int) -> Spread | None:
+        """What the seeds say of a column; None if they say nothing."""
+        curve = self.curve(column, teacher, learner)
+        return curve.at(pairs) if curve else None
 
     @cached_property
     def regrets(self) -> RegretRange:

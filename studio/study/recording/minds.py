@@ -179,14 +179,10 @@ def spreads_of_numbers(
     results: StudyResults, teacher: Teacher, learner: str, pairs: int
 ) -> list[Spread | None]:
     """What the seeds say of each number of θ/‖θ‖, then of each parameter; None where nothing."""
-
-    def spread(column: str) -> Spread | None:
-        curve = results.curve(column, teacher, learner)
-        return curve.at(pairs) if curve else None
-
-    theta = spread("theta_unit")
+    columns = ("theta_unit", *PARAMETER_COLUMNS)
+    theta, *parameters = (results.spread(each, teacher, learner, pairs) for each in columns)
     direction = [theta and _number_of(theta, place) for place in range(len(FEATURES))]
-    return [*direction, *map(spread, PARAMETER_COLUMNS)]
+    return [*direction, *parameters]
 
 
 def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour: Colour) -> None:

@@ -310,8 +310,7 @@ def _cell(
     results: StudyResults, teacher: Teacher, learner: str, measure: _Measure, pairs: int
 ) -> str:
     """Mean ± standard deviation; the mean alone where there is a single seed."""
-    curve = results.curve(measure.column, teacher, learner)
-    spread = curve and curve.at(pairs)
+    spread = results.spread(measure.column, teacher, learner, pairs)
     if not spread:
         return "–"
     mean = number(measure.factor * spread.mean, measure.form)

@@ -52,7 +52,8 @@ def _fits(teacher: str, learner: str, row: Row) -> list[Row]:
     """The rows of the table that one row of the recording holds, one a seed."""
     seeds = row["seed"]
     fits: list[Row] = [
-        {"teacher": teacher, "learner": learner, "pairs": row[entities.TIMELINE], "seed": seed}
+        {field.name: None for field in STUDY_SCHEMA if field.nullable}
+        | {"teacher": teacher, "learner": learner, "pairs": row[entities.TIMELINE], "seed": seed}
         for seed in seeds
     ]
     for field in STUDY_SCHEMA:
@@ -67,8 +68,4 @@ def _fits(teacher: str, learner: str, row: Row) -> list[Row]:
                 fit[field.name] = [None if number != number else number for number in part]
             else:
                 (fit[field.name],) = part
-    for fit in fits:
-        for field in STUDY_SCHEMA:
-            if field.nullable:
-                fit.setdefault(field.name, None)
     return fits

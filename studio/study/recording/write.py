@@ -137,11 +137,10 @@ def log_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teac
                 if column not in _NAMED and first is not None
             }
             stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
-            curves = {column: results.curve(column, teacher, learner) for column in CURVE_COLUMNS}
             spreads: dict[str, Any] = {
                 column: np.array(sides(spread)).ravel()
-                for column, curve in curves.items()
-                if curve and (spread := curve.at(pairs))
+                for column in CURVE_COLUMNS
+                if (spread := results.spread(column, teacher, learner, pairs))
             }
             stream.log(entities.curves(teacher.name, learner), rr.AnyValues(**spreads))
 
