@@ -21,37 +21,26 @@ if TYPE_CHECKING:
 
     import pyarrow as pa
 
-    from learners import Learner, Teacher
-    from learners.studying.plan import Study
+    from learners import Learner, Study, Teacher
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
+    from scenes.rollouts import Engine
     from studio.comparison.comparison import Comparison
     from studio.recording import Excerpt, Look, Recording
     from studio.scene.judgements import Judgement
-    from studio.study.recording.scenes import SceneLink
-
-_COMPILING = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
+    from studio.study.recording.scenes import Links
 
 
 @dataclass(frozen=True, kw_only=True)
 class Made:
-    """What came of something that the studio was asked to make.
-
-    Attributes:
-        files: what was written, the recording first; of a study the table first.
-    """
+    """What was made: the files, the recording first, or of a study the table first."""
 
     files: tuple[Path, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Recorded(Made):
-    """What came of recording a scene.
-
-    Attributes:
-        rollouts: what was simulated.
-        judgements: what each teacher thinks of the actions.
-    """
+    """What came of recording a scene: its rollouts, and what each teacher thinks of its actions."""
 
     rollouts: Rollouts
     judgements: tuple[Judgement, ...]
@@ -59,11 +48,9 @@ class Recorded(Made):
 
 @dataclass(frozen=True, kw_only=True)
 class Compared(Made):
-    """What came of comparing two actions.
+    """What came of comparing two actions, which are on random sides.
 
-    Attributes:
-        comparison: of the two actions, which are on random sides.
-        judgements: what each teacher thinks of the two, left then right.
+    The judgements are what each teacher thinks of the two, left then right.
     """
 
     comparison: Comparison
@@ -142,15 +129,8 @@ class Studio:
     ) -> Compared:
         """Put two actions of a scene side by side; write recording, picture and film.
 
-        Args:
-            scene: a scene, where it comes from, or just the name or path of where.
-            one: name of an action.
-            other: name of another.
-            seed: of the noise, of which action comes to the left, and of the scene if only its
-                family is named.
-            png: whether to write the picture.
-            mp4: whether to write the film.
-            settings: further arguments of `scenes.simulate`.
+        The further arguments are those of `record`; the seed is also that of which action comes to
+        the left.
 
         Raises:
             InputError: if there is no such scene or action, a setting is not allowed
@@ -180,15 +160,9 @@ class Studio:
     ) -> tuple[Path, ...]:
         """Paint pictures and films from a recording alone; nothing is simulated again.
 
-        Args:
-            recording: the `.rrd` file, of this version of the studio or an older one.
-            files: what to write; the endings say what they become: `.png`, `.mp4` or `.gif`. Left
-                out, a picture and a film beside the recording.
-            look: how they look.
-            excerpt: which part of the recording they show.
-
-        Returns:
-            The files that were written.
+        The recording may be of an older version of the studio. The endings of the files say what
+        they become: `.png`, `.mp4` or `.gif`; without any, a picture and a film are written beside
+        the recording. What was written is given back.
 
         Raises:
             InputError: if the file is not a recording of the studio, an ending, the look or the
@@ -213,13 +187,11 @@ class Studio:
             InputError: if the plan asks for something that cannot be simulated
                 (`scenes.InputError`), or the file cannot be written.
         """
-        from scenes import warm_up
         from scenes.bank import write_bank
 
         path = Path(path)
         with replacing(path) as [part]:
-            with self.progress.waiting(_COMPILING):
-                warm_up(plan.engine)
+            self._warm_up(plan.engine)
             with self.progress.steps("scenes") as done:
                 write_bank(part, plan, done)
         return path
@@ -248,62 +220,53 @@ class Studio:
             learners: who learns, or names of `learners.LEARNERS`.
             pairs: numbers of pairs to learn from.
             seeds: how many repetitions.
-            figure: the figure for a paper to write as well, a PDF or SVG file.
+            figure: the figure for a paper to write as well, a PDF or SVG file; left out, none.
 
         Raises:
             InputError: if the folder cannot be written to, the figure cannot be drawn, or something
                 cannot be studied (`learners.InputError`, `scenes.InputError`).
         """
         drawn = () if figure is None else (check_figure(Path(figure)),)
-        from learners import find_learners, find_teachers, read_bank
-        from learners.studying.plan import Study
+        from learners import Study, find_learners, find_teachers, read_bank
 
         who, fitted = find_teachers(teachers), find_learners(learners)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / ".learning.unfinished.parquet"
         files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
-        caption = ""
         with (
             replacing(*files) as [parquet, png, rrd],
             replacing(*drawn, option="--figure") as papers,
         ):
+            from studio.study.picture.page import compose_study_picture
+            from studio.study.recording.write import write_study_recording
             from studio.study.run import run_or_resume, write_table
 
             with self.progress.steps("fits") as done:
-                table = run_or_resume(study, unfinished, done)
-
-            from studio.study.picture.page import compose_study_picture
-            from studio.study.recording.write import write_study_recording
-
-            # first the scenes, so that no link ever leads nowhere
-            links = self._record_scenes(study, table, bank)
-            write_table(parquet, table)
-            compose_study_picture(table, study.teachers).save(png)
-            settings = {"outcomes": bank.name}
-            write_study_recording(rrd, table, study.teachers, settings, links)
+                results = run_or_resume(study, unfinished, done)
+            # the scenes come first, so that no link ever leads nowhere
+            links = self._record_scenes(study, results.told_scenes, bank)
+            write_table(parquet, results.table)
+            compose_study_picture(results).save(png)
+            write_study_recording(rrd, results, {"outcomes": bank.name}, links)
+            caption = ""
             for paper in papers:
                 from studio.study.paper.figure import write_paper_figure
-                from studio.study.results import StudyResults
-                from studio.study.words import paper_caption
 
-                write_paper_figure(paper, table, study.teachers)
-                caption = paper_caption(StudyResults(table, study.teachers))
+                caption = write_paper_figure(paper, results)
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
-        return Learned(files=(*files, *drawn, *scenes), table=table, caption=caption)
+        return Learned(files=(*files, *drawn, *scenes), table=results.table, caption=caption)
 
-    def _record_scenes(self, study: Study, table: pa.Table, bank: Path) -> dict[int, SceneLink]:
-        """Record the scenes that tell most about the learners, as far as they can be made again."""
-        from scenes import warm_up
+    def _record_scenes(self, study: Study, numbers: Sequence[int], bank: Path) -> Links:
+        """Record these scenes of the bank, as far as they can be made again."""
         from scenes.bank import read_plan
-        from studio.study.scenes import record_scenes, told_scenes
+        from studio.study.scenes import record_scenes
 
-        plan, numbers = read_plan(bank), told_scenes(table, study.teachers)
+        plan = read_plan(bank)
         if plan is None or not numbers:
             return {}
-        with self.progress.waiting(_COMPILING):
-            warm_up(plan.engine)
+        self._warm_up(plan.engine)
         with self.progress.steps("recordings of scenes") as done:
             return record_scenes(self.out, plan, study.prospects, numbers, done)
 
@@ -353,12 +316,18 @@ class Studio:
                 self._paint(pictures, read_recording(part))
 
     def _simulate(self, scene: Scene, seed: int, settings: dict[str, Any]) -> Rollouts:
-        """Simulate a scene, and say why if the engine has to be compiled first."""
-        from scenes import simulate, warm_up
+        from scenes import simulate
 
-        with self.progress.waiting(_COMPILING):
-            warm_up(settings.get("engine", "batched"))
+        self._warm_up(settings.get("engine", "batched"))
         return simulate(scene, seed=seed, **settings)
+
+    def _warm_up(self, engine: Engine) -> None:
+        """Get an engine ready, and say why that takes long if it has to be compiled first."""
+        from scenes import warm_up
+
+        note = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
+        with self.progress.waiting(note):
+            warm_up(engine)
 
     def _paint(
         self,

@@ -15,16 +15,11 @@ class RegretRange:
     Axes of regret are logarithmic and have no place for 0. An axis therefore begins below the
     least mean that is above 0, and what is 0 or less lies beyond its lower end; how far, and with
     what margins, each medium decides.
-
-    Attributes:
-        least: the smallest mean above 0; infinite if there is none.
-        most: the largest mean or upper end of an interval; 0 without curves.
-        has_zero: whether a mean is 0.
     """
 
-    least: float
-    most: float
-    has_zero: bool
+    least: float  # the smallest mean above 0; infinite if there is none
+    most: float  # the largest mean or upper end of an interval; 0 without curves
+    has_zero: bool  # whether a mean is 0
 
     @classmethod
     def around(cls, curves: Sequence[Curve]) -> "RegretRange":

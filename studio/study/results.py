@@ -1,7 +1,8 @@
 """What came of a study: who learned what from whom. All media take their numbers from here."""
 
+import itertools
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -13,9 +14,11 @@ from numpy.typing import ArrayLike
 from learners import (
     PARAMETER_COLUMNS,
     Curve,
+    Difference,
     InputError,
     PairedDifference,
     SceneRegrets,
+    Spread,
     StudyScene,
     Teacher,
     family_curves,
@@ -50,41 +53,24 @@ TOLD_SCENES = 6
 
 
 @dataclass(frozen=True)
-class RegretDifference:
-    """How much more regret one learner has than another after one number of pairs, seed by seed.
-
-    Attributes:
-        runs: how many seeds both learners have.
-        mean: mean difference over seeds, in percentage points.
-        low: lower end of the 95 % interval of that mean.
-        high: upper end.
-        ratio: mean regret of the one over that of the other; not a number over 0.
-    """
-
-    runs: int
-    mean: float
-    low: float
-    high: float
-    ratio: float
-
-
-@dataclass(frozen=True)
 class StudyResults:
-    """What came of a study.
+    """What came of a study, complete or not; curves and their intervals are worked out once."""
 
-    Attributes:
-        table: one row a fit, see `learners.STUDY_SCHEMA`; the study may be incomplete.
-        teachers: who was learned from; there may be teachers without fits.
-    """
+    table: pa.Table  # one row a fit, see `learners.STUDY_SCHEMA`
+    teachers: tuple[Teacher, ...]  # who was learned from; there may be teachers without fits
 
-    table: pa.Table
-    teachers: tuple[Teacher, ...]
-
-    def among(self, teachers: Sequence[Teacher]) -> "StudyResults":
+    def among(self, teachers: tuple[Teacher, ...]) -> "StudyResults":
         """The results of these teachers alone."""
+        if teachers == self.teachers:
+            return self
         names = {teacher.name for teacher in teachers}
-        kept = [name in names for name in self.table["teacher"].to_pylist()]
-        return StudyResults(self.table.filter(pa.array(kept, pa.bool_())), tuple(teachers))
+        return StudyResults(self._rows("teacher", names.__contains__), teachers)
+
+    def between(self, low: float, high: float) -> "StudyResults":
+        """The results as if the study had been of these numbers of pairs alone, both included."""
+        if all(low <= pairs <= high for pairs in self.sizes):
+            return self
+        return StudyResults(self._rows("pairs", lambda pairs: low <= pairs <= high), self.teachers)
 
     @cached_property
     def taught(self) -> tuple[Teacher, ...]:
@@ -144,20 +130,17 @@ class StudyResults:
         """The fits of one learner to one teacher from this number of pairs, by seed."""
         return self._fits.get((teacher.name, learner, pairs), [])
 
-    def up_to(self, pairs: float) -> "Stage":
-        """What the study had found by this number of pairs."""
-        return Stage(self, pairs)
-
     @property
     def stages(self) -> tuple["Stage", ...]:
         """The study after each number of pairs; a single stage if nobody was fitted yet."""
-        return tuple(self.up_to(pairs) for pairs in self.sizes or (0,))
+        return tuple(Stage(self, pairs) for pairs in self.sizes or (0,))
 
     # Curves
 
-    def curves(self, column: str) -> list[Curve]:
+    @cached_property
+    def curves(self) -> Callable[[str], list[Curve]]:
         """All curves of a column over the number of pairs; those with gaps are left out."""
-        return self._curves(column)
+        return cache(lambda column: _finite(learning_curves(self.table, column)))
 
     def curves_of(self, column: str, teacher: Teacher) -> list[Curve]:
         """The curves of a column of all who learned from a teacher."""
@@ -167,6 +150,11 @@ class StudyResults:
         """The curve of a column; None if the learner has nothing in it."""
         return _found(self.curves(column), teacher, learner)
 
+    def spread(self, column: str, teacher: Teacher, learner: str, pairs: int) -> Spread | None:
+        """What the seeds say of a column; None if they say nothing."""
+        curve = self.curve(column, teacher, learner)
+        return curve.at(pairs) if curve else None
+
     @cached_property
     def regrets(self) -> RegretRange:
         """Which regrets the curves of `regret_percent` reach."""
@@ -174,12 +162,14 @@ class StudyResults:
 
     def difference(
         self, teacher: Teacher, learner: str, baseline: str, pairs: int
-    ) -> RegretDifference | None:
-        """How much more regret a learner has than another; None without seeds of both."""
+    ) -> Difference | None:
+        """How much more regret a learner has than another, in percentage points.
+
+        None without seeds of both.
+        """
         for found in self._differences(learner, baseline):
-            for at in np.flatnonzero((found.pairs == pairs) & (found.teacher == teacher.name)):
-                sides = (found.difference, found.low, found.high, found.ratio)
-                return RegretDifference(int(found.runs[at]), *(float(side[at]) for side in sides))
+            if found.teacher == teacher.name:
+                return found.at(pairs)
         return None
 
     # Scenes
@@ -187,8 +177,8 @@ class StudyResults:
     @cached_property
     def study(self) -> dict[str, Any]:
         """What the table says about the study as a whole; empty if nothing."""
-        told = (self.table.schema.metadata or {}).get(METADATA, b"{}")
-        study: dict[str, Any] = json.loads(told)
+        metadata = self.table.schema.metadata or {}
+        study: dict[str, Any] = json.loads(metadata.get(METADATA, b"{}"))
         return study
 
     @cached_property
@@ -207,8 +197,12 @@ class StudyResults:
     @cached_property
     def telling(self) -> dict[str, tuple[int, ...]]:
         """The scenes that tell most about the learners, by the teacher's name."""
-        count = max(1, TOLD_SCENES // len(self.teachers))
-        return telling_scenes(self.table, count)
+        return telling_scenes(self.table, max(1, TOLD_SCENES // len(self.teachers)))
+
+    @property
+    def told_scenes(self) -> list[int]:
+        """Ids of the scenes that tell most about the learners of any teacher, each once."""
+        return list(dict.fromkeys(itertools.chain(*self.telling.values())))
 
     def scene_regrets(self, teacher: Teacher, learner: str, pairs: int) -> SceneRegrets | None:
         """The regret in every scene that was held out; None if there is no such fit."""
@@ -238,7 +232,11 @@ class StudyResults:
         percents: FloatArray = 100.0 * np.asarray(regrets) / (cost if cost > 0.0 else 1.0)
         return percents
 
-    # What is worked out once
+    # What the questions above look up
+
+    def _rows(self, column: str, wanted: Callable[[Any], bool]) -> pa.Table:
+        kept = [wanted(each) for each in self.table[column].to_pylist()]
+        return self.table.filter(pa.array(kept, pa.bool_()))
 
     @cached_property
     def _fits(self) -> dict[tuple[str, str, int], list[Row]]:
@@ -246,10 +244,6 @@ class StudyResults:
         for row in sorted(self.fits, key=lambda row: int(row["seed"])):
             found.setdefault((row["teacher"], row["learner"], row["pairs"]), []).append(row)
         return found
-
-    @cached_property
-    def _curves(self) -> Callable[[str], list[Curve]]:
-        return cache(lambda column: _finite(learning_curves(self.table, column)))
 
     @cached_property
     def _differences(self) -> Callable[[str, str], list[PairedDifference]]:
@@ -276,15 +270,10 @@ class StudyResults:
 
 @dataclass(frozen=True)
 class Stage:
-    """A study as far as a number of pairs: what was found from no more pairs than these.
+    """A study as far as a number of pairs: what was found from no more pairs than these."""
 
-    Attributes:
-        results: of the whole study.
-        reached: how many pairs were learned from; need not be a size of the study.
-    """
-
-    results: StudyResults
-    reached: float
+    results: StudyResults  # of the whole study
+    reached: float  # how many pairs were learned from; need not be a size of the study
 
     @cached_property
     def sizes(self) -> tuple[int, ...]:

@@ -8,18 +8,16 @@ import pyarrow.parquet as pq
 
 from learners import InputError, Study, missing_tasks, study_batches, whole_table
 from studio.files import replacing
+from studio.study.results import StudyResults
 
 
-def run_or_resume(study: Study, unfinished: Path, progress: Callable[[int, int], None]) -> pa.Table:
+def run_or_resume(
+    study: Study, unfinished: Path, progress: Callable[[int, int], None]
+) -> StudyResults:
     """Run a study, from where an interrupted run of it stopped.
 
-    Args:
-        study: what to study.
-        unfinished: file that keeps the finished rows, for whoever continues; it stays.
-        progress: told after every fit how many of how many are done.
-
-    Returns:
-        One row a fit, see `learners.STUDY_SCHEMA`.
+    The file `unfinished` keeps the finished rows for whoever continues, and stays; `progress` is
+    told after every fit how many of how many are done.
 
     Raises:
         InputError: if the file cannot be written to.
@@ -29,7 +27,7 @@ def run_or_resume(study: Study, unfinished: Path, progress: Callable[[int, int],
         parts.append(batch)
         with replacing(unfinished) as [part]:
             write_table(part, whole_table(study, parts))
-    return whole_table(study, parts)
+    return StudyResults(whole_table(study, parts), study.teachers)
 
 
 def finished_rows(study: Study, unfinished: Path) -> list[pa.Table]:

@@ -6,26 +6,18 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
 
-from learners import Prospects, Teacher
+from learners import Prospects
 from scenes import InputError, Rollouts
 from scenes.bank import BankPlan, planned_scene, simulate_planned
 from studio.files import replacing
 from studio.scene.again import record_command
 from studio.scene.judgements import judge
 from studio.scene.recording.write import write_recording
-from studio.study.recording.scenes import SceneLink
-from studio.study.results import StudyResults
+from studio.study.recording.scenes import Links, SceneLink
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""
-
-
-def told_scenes(table: pa.Table, teachers: Sequence[Teacher]) -> list[int]:
-    """Ids of the scenes that tell most about the learners of these teachers, each once."""
-    telling = StudyResults(table, tuple(teachers)).telling.values()
-    return list(dict.fromkeys(number for numbers in telling for number in numbers))
 
 
 def record_scenes(
@@ -34,7 +26,7 @@ def record_scenes(
     prospects: Prospects,
     numbers: Sequence[int],
     progress: Callable[[int, int], None],
-) -> dict[int, SceneLink]:
+) -> Links:
     """Record scenes of a bank, as far as they can be made again.
 
     Args:
@@ -44,13 +36,10 @@ def record_scenes(
         numbers: ids of scenes in the bank.
         progress: told after every recording how many of how many are done.
 
-    Returns:
-        Where the recordings are, by the scene's id.
-
     Raises:
         InputError: if a recording cannot be written there.
     """
-    links: dict[int, SceneLink] = {}
+    links: Links = {}
     for number, rollouts in scenes_again(plan, prospects, numbers):
         name = rollouts.scene.name
         path = f"{FOLDER}/{name}.rrd"
@@ -68,11 +57,6 @@ def scenes_again(
 
     Scenes that come out otherwise than in the bank are left out: it is not what the plan gives, or
     was made by other versions than those that are installed.
-
-    Args:
-        plan: how the bank says it was sampled.
-        prospects: what the bank holds.
-        numbers: ids of scenes in the bank.
     """
     actions = tuple(action.name for action in plan.actions)
     if (actions, plan.rollouts) != (prospects.actions, prospects.features.shape[2]):

@@ -8,7 +8,7 @@ import math
 
 from learners import FEATURES, CptParameters, Teacher
 from studio.study.results import Stage, StudyResults
-from studio.style.words import counted, learner_name, number, short, teacher_name
+from studio.style.words import counted, learner_name, number, short, signed, teacher_name
 
 NO_FITS = "no fits yet"
 
@@ -53,12 +53,7 @@ def study_titles(results: StudyResults) -> list[str]:
 
 
 def study_subtitles(results: StudyResults, left_out: int) -> list[str]:
-    """Wordings of what was studied as a whole.
-
-    Args:
-        results: of the teachers that the picture shows.
-        left_out: how many more teachers the study has.
-    """
+    """Wordings of what was studied as a whole, if this number of its teachers is left out."""
     if not results.fits:
         return [NO_FITS]
     fits = counted(len(results.fits), "fit")
@@ -136,7 +131,7 @@ def verdicts(stage: Stage, teacher: Teacher) -> list[str]:
     brief = f"{ours} {number(found.ratio, '.2f')} × {theirs}"
     if not math.isfinite(found.ratio):
         times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
-    shift, low, high = map(_signed, (found.mean, found.low, found.high))
+    shift, low, high = map(signed, (found.difference, found.low, found.high))
     interval = f" [{low}, {high}]" if found.runs > 1 else ""
     return [
         f"At {reached(stage)} {times}: {shift} percentage points{interval}",
@@ -157,12 +152,11 @@ def lesson(results: StudyResults, teacher: Teacher) -> str:
     Empty if there are no two learners of this teacher.
     """
     pairs = results.sizes[-1]
-    regrets = {}
-    for learner in results.learners:
-        curve = results.curve("regret_percent", teacher, learner)
-        spread = curve and curve.at(pairs)
-        if spread:
-            regrets[learner] = float(spread.mean)
+    regrets = {
+        curve.learner: spread.mean
+        for curve in results.curves_of("regret_percent", teacher)
+        if (spread := curve.at(pairs))
+    }
     ranked = sorted(regrets, key=regrets.__getitem__)
     if len(ranked) < 2:
         return ""
@@ -171,7 +165,8 @@ def lesson(results: StudyResults, teacher: Teacher) -> str:
     found = results.difference(teacher, best, worst, pairs)
     if found is None:
         return f"{names} in the mean."
-    less, low, high = (number(-side + 0.0, ".2f") for side in (found.mean, found.high, found.low))
+    sides = (found.difference, found.high, found.low)
+    less, low, high = (number(-side + 0.0, ".2f") for side in sides)
     if found.runs == 1:
         return f"{names} in the one seed, by {less} percentage points."
     interval = f"{less} percentage points (95 %: {low} to {high})"
@@ -220,9 +215,3 @@ def paper_caption(results: StudyResults) -> str:
         fits = counted(len(results.fits), "fit")
         said.append(f"{results.unsettled} of {fits} did not converge")
     return " ".join(f"{sentence}." for sentence in said)
-
-
-def _signed(difference: float) -> str:
-    """A difference with two decimals and its sign; one that rounds to 0 has none."""
-    text = number(difference, "+.2f")
-    return text if text.strip("+−0.") else "0.00"

@@ -106,9 +106,9 @@ def test_a_study_is_read_back_as_its_table(tmp_path: Path) -> None:
     read = read_recording(tmp_path / "learning.rrd")
     assert isinstance(read, StudyRecording)
     written = pq.read_table(tmp_path / "learning.parquet")
-    assert read.table.equals(written)
-    assert read.table.schema.equals(written.schema, check_metadata=True)
-    assert [teacher.name for teacher in read.teachers] == ["eu", "tk"]
+    assert read.results.table.equals(written)
+    assert read.results.table.schema.equals(written.schema, check_metadata=True)
+    assert [teacher.name for teacher in read.results.teachers] == ["eu", "tk"]
 
 
 # Older editions
@@ -140,8 +140,8 @@ def test_a_scene_of_the_first_edition_is_read(old: Callable[[str], Path]) -> Non
 def test_a_study_of_the_first_edition_is_read(old: Callable[[str], Path]) -> None:
     read = read_recording(old("learning-edition-1"))
     assert isinstance(read, StudyRecording)
-    assert read.table.num_rows == 8
-    assert sorted(set(read.table["pairs"].to_pylist())) == [25, 100]
+    assert read.results.table.num_rows == 8
+    assert sorted(set(read.results.table["pairs"].to_pylist())) == [25, 100]
 
 
 # What is not a recording of the studio

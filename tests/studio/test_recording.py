@@ -19,6 +19,7 @@ from studio.kinds import read_recording
 from studio.orchestrator import Studio
 from studio.recording import Excerpt, Look, write_picture
 from studio.study.picture.page import compose_study_picture
+from studio.study.results import StudyResults
 from studio.style.palette import ACTION_COLOURS, DARK, LIGHT
 
 DATA = Path(__file__).parent / "data"
@@ -149,7 +150,7 @@ def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> N
     cut = recording.still(Look(), Excerpt(end=10)).pixels
     table = pq.read_table(study_recording.with_suffix(".parquet"))
     of_ten = table.filter(table["pairs"].to_numpy() <= 10)
-    expected = compose_study_picture(of_ten, recording.teachers).pixels
+    expected = compose_study_picture(StudyResults(of_ten, recording.results.teachers)).pixels
     assert np.array_equal(cut, expected)
     with pytest.raises(InputError, match="11 to 29 pairs are not allowed: some of 10, 30"):
         recording.still(Look(), Excerpt(start=11, end=29))

@@ -16,14 +16,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
-from learners import Curve, Teacher
+from learners import Curve
 from studio.study.paper.page import (
     EDGE,
     PAD,
@@ -48,24 +47,16 @@ from studio.style.places import spread_apart
 from studio.style.words import learner_name, number
 
 _MARK = 3.2  # size of marks, pt
-_BAND = 0.17
-"""How opaque a band is."""
+_BAND = 0.17  # how opaque a band is
 
 
 @dataclass(frozen=True)
 class _Pen:
-    """What a learner's curve looks like apart from its colour.
+    """What a learner's curve looks like apart from its colour."""
 
-    Attributes:
-        mark: matplotlib's name of the mark.
-        dashes: lengths of dashes and of the gaps after them, in widths of the line; empty for a
-            line without gaps.
-        filled: whether marks are filled; the others are white inside.
-    """
-
-    mark: str
-    dashes: tuple[float, ...]
-    filled: bool
+    mark: str  # matplotlib's name of the mark
+    dashes: tuple[float, ...]  # lengths of dashes and gaps, in widths of the line; empty: no gaps
+    filled: bool  # whether marks are filled; the others are white inside
 
 
 _PENS = (
@@ -80,25 +71,19 @@ _PENS = (
 """Of the learners in `LEARNER_COLOURS`, then of a user's own."""
 
 
-def write_paper_figure(path: Path, table: pa.Table, teachers: Sequence[Teacher]) -> None:
-    """Write the figure of a study as a PDF or SVG file.
-
-    Args:
-        path: ends in .pdf or .svg.
-        table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who was learned from, in the order of the panels.
-    """
-    results = StudyResults(table, tuple(teachers))
-    is_pdf = path.suffix.lower() == ".pdf"
+def write_paper_figure(path: Path, results: StudyResults) -> str:
+    """Write the figure of a study as a PDF or SVG file, and give the caption that it holds."""
+    is_pdf, caption = path.suffix.lower() == ".pdf", paper_caption(results)
     about = {
         "Title": "Learning curves",
         "Creator": "prospect-studio",
-        "Subject" if is_pdf else "Description": paper_caption(results),
+        "Subject" if is_pdf else "Description": caption,
         "CreationDate" if is_pdf else "Date": None,
     }
     figure = compose_paper_figure(results)
     with settings():
         figure.savefig(path, metadata=about)
+    return caption
 
 
 def compose_paper_figure(results: StudyResults) -> Figure:

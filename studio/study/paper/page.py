@@ -23,25 +23,21 @@ from studio.style.palette import LIGHT, Colour
 from studio.style.ticks import decades
 from studio.style.words import learner_name, number
 
-WIDTH = 89.0
-"""Width of the figure, mm: one column of a page of two."""
-
-TYPE, SMALL_TYPE = 7.0, 6.5
-"""Sizes of type, pt: of titles and what stands along the axes; of numbers and names."""
-
+TYPE = 7.0  # size of the type of titles and of what stands along the axes, pt
+SMALL_TYPE = 6.5  # size of the type of numbers and names, pt
 POINT = 72.0  # in an inch
 EDGE = 1.0  # of the page, pt
 PAD = 3.0  # between what belongs together, pt
 SAMPLE = 15.0  # length of a piece of a line beside its name, pt
 STEP = 1.3 * SMALL_TYPE  # from a name to the next one below it, pt
 
+_WIDTH = 89.0  # of the figure, mm: one column of a page of two
 _INCH = 25.4  # mm
 _HEIGHTS = {1: 142.0, 2: 96.0, 3: 74.0, 4: 68.0}  # of a panel by how many there are, pt
 _LEAST_HEIGHT = 60.0  # where there are more, pt
 _TITLE = 13.0  # above a panel, pt
 _GAP = 5.0  # between a panel and the next title, pt
 _LONGEST_NAME = 0.38  # of the width of the page
-
 _FONT = "DejaVu Sans"  # comes with matplotlib, so that it is the same everywhere
 
 
@@ -67,17 +63,11 @@ def settings() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class RegretAxis:
-    """The axis of regret, in %: logarithmic, with a place for 0 below if some mean is 0.
+    """The axis of regret, in %: logarithmic, with a place for 0 below if some mean is 0."""
 
-    Attributes:
-        low: the smallest value above 0 that it shows.
-        high: the largest value that it shows.
-        zero: where 0 lies on the axis; the same as `low` if it shows no 0.
-    """
-
-    low: float
-    high: float
-    zero: float
+    low: float  # the smallest value above 0 that it shows
+    high: float  # the largest value that it shows
+    zero: float  # where 0 lies on the axis; the same as `low` if it shows no 0
 
     @classmethod
     def around(cls, results: StudyResults) -> "RegretAxis":
@@ -115,21 +105,14 @@ class RegretAxis:
 
 @dataclass(frozen=True)
 class PaperPage:
-    """A page of panels, one above the other.
+    """A page of panels, one above the other."""
 
-    Attributes:
-        results: what its panels show, one a teacher.
-        up: the axis of regret that panels share.
-        left: where panels begin, pt.
-        across: width of a panel, pt.
-    """
+    results: StudyResults  # what the panels show, one a teacher
+    up: RegretAxis  # the axis of regret that panels share
+    left: float  # where panels begin, pt
+    across: float  # width of a panel, pt
 
-    results: StudyResults
-    up: RegretAxis
-    left: float
-    across: float
-
-    width: ClassVar[float] = WIDTH / _INCH * POINT
+    width: ClassVar[float] = _WIDTH / _INCH * POINT
     foot: ClassVar[float] = EDGE + 1.25 * TYPE + 0.5 * PAD + SMALL_TYPE + PAD
 
     @classmethod
@@ -171,13 +154,8 @@ class PaperPage:
 def with_room(places: Sequence[float], lengths: Sequence[float], gap: float) -> list[int]:
     """Which of several labels there is room for: the last, the first, then what fits between.
 
-    Args:
-        places: where the middles of labels lie along an axis.
-        lengths: how long labels are along the axis.
-        gap: least distance between two labels.
-
-    Returns:
-        Their indices, ascending.
+    Given are where the middles of labels lie along an axis, how long labels are along it, and the
+    least gap between two; returned are indices, ascending.
     """
     kept: list[int] = []
     everything = range(len(places))

@@ -4,47 +4,33 @@ Every stage of the study has a page that stands still: what was learnt by then, 
 whole study. Nothing moves between two stages, because nobody was fitted there.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-import pyarrow as pa
-
-from learners import Teacher
 from studio.arrays import PixelArray
 from studio.painter.segments import Segment
 from studio.study.picture.page import SIZE, StudyPage, draw_stage, lay_out_study
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import LIGHT, Theme
 
-STAGE_LENGTH = 1.5
-"""How long the page of a stage stands still, s."""
-
-LAST_STAGE_LENGTH = 3.0
-"""How long the page of the last stage, which is the picture of the study, stands still, s."""
+_STAGE_LENGTH = 1.5  # how long the page of a stage stands still, s
+_LAST_STAGE_LENGTH = 3.0  # the same of the last stage, whose page is the picture of the study, s
 
 
 def compose_study_film(
-    table: pa.Table,
-    teachers: Sequence[Teacher],
+    results: StudyResults,
     size: tuple[int, int] = SIZE,
     frames_per_second: int = 30,
     theme: Theme = LIGHT,
 ) -> list[Segment]:
-    """The film of a study as segments, one for each number of pairs.
-
-    Args:
-        table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who was learned from; of more than four, the first four are shown.
-        size: width and height, px; even.
-        frames_per_second: whole.
-        theme: of the page.
+    """The film of a study as segments, one for each number of pairs; it has even sides (px).
 
     Raises:
         InputError: if the size is not allowed.
     """
-    page = lay_out_study(StudyResults(table, tuple(teachers)), size, theme)
+    page = lay_out_study(results, size, theme)
     *stages, last = page.results.stages
     length, last_length = (
-        round(seconds * frames_per_second) for seconds in (STAGE_LENGTH, LAST_STAGE_LENGTH)
+        round(seconds * frames_per_second) for seconds in (_STAGE_LENGTH, _LAST_STAGE_LENGTH)
     )
     return [*(_segment(page, stage, length) for stage in stages), _segment(page, last, last_length)]
 

@@ -8,22 +8,14 @@ import numpy as np
 
 from learners import CptParameters, Teacher, unit_vector, value, weight
 from studio.arrays import FloatArray
-from studio.painter.axes import (
-    Axis,
-    LogAxis,
-    caption,
-    foot,
-    ground,
-    gutter,
-    labels_below,
-    labels_beside,
-)
+from studio.painter.axes import Axis, LogAxis, ground, gutter, labels_below, labels_beside
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import dashed_path, dot
 from studio.painter.paths import draw_faint_paths
 from studio.study.fits import Row, learnt_parameters, parameters_of, pooled_calibration
+from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
 from studio.study.words import feature_names
@@ -31,19 +23,13 @@ from studio.style.palette import Colour, blend, learner_colour
 from studio.style.ticks import ticks
 from studio.style.words import number
 
-_MOST_SEEDS = 60
-"""Of more seeds, only the first of this number are drawn; more would only be a smear."""
-
-_FEW_SEEDS = 8
-"""Lines of more seeds than this are translucent, so that they do not fill the plot."""
+_MOST_SEEDS = 60  # of more seeds, only the first ones are drawn; more would only be a smear
+_FEW_SEEDS = 8  # lines of more seeds are translucent, so that they do not fill the plot
+_GAP = 26  # between plots side by side, in units of the page
+_REWARD = ["Reward θ/‖θ‖", "θ/‖θ‖"]  # what the plot of rewards is called
 
 _SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
-"""How dark curves are, from few pairs to many."""
-
-_REWARD = ["Reward θ/‖θ‖", "θ/‖θ‖"]
-
-_GAP = 26
-"""Between plots side by side, in units of the page."""
+"""How dark curves are, from few pairs to many, by how many numbers of pairs are shown."""
 
 
 def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
@@ -60,8 +46,7 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
         (losses, "delta", ["Weight of losses", "Losses"]),
         (gains, "gamma", ["Weight of gains", "Gains"]),
     ):
-        rest = caption(canvas, at, wordings)
-        panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
+        panel = named_panel(canvas, at, wordings)
         across, up = Axis(0, 1, panel.left, panel.right), Axis(0, 1, panel.bottom, panel.top)
         quarters = (0.0, 0.25, 0.5, 0.75, 1.0)
         ground(canvas, panel, [across.at(q) for q in quarters], [up.at(q) for q in quarters])
@@ -74,8 +59,7 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
         _draw_shape(canvas, panel, across, up, p, curves, true, colour)
         if column == "delta":
             _draw_key(canvas, panel, stage)
-    rest = caption(canvas, worth, ["Value of utility x", "Value of x", "Value"])
-    panel = Box(rest.left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, worth, ["Value of utility x", "Value of x", "Value"])
     reach = scales.reach
     across = Axis(-reach, reach, panel.left, panel.right)
     up = Axis(*scales.values, panel.bottom, panel.top)
@@ -220,32 +204,21 @@ def _draw_cosines(
 
 @dataclass(frozen=True)
 class _RowPlot:
-    """Numbers under one another, each on a row of its own.
+    """Numbers under one another, each on a row of its own."""
 
-    Attributes:
-        wordings: what the plot is called, the longest first.
-        names: what the rows are called.
-        marks: values to write under the plot.
-        shares: where values lie, from 0 (left) to 1 (right).
-        neutral: the value that means nothing, marked by a line.
-        truth: the true number of each row.
-        learnt: of each learner the numbers of each seed, one a row.
-    """
-
-    wordings: Sequence[str]
-    names: Sequence[str]
-    marks: Sequence[float]
-    shares: Axis | LogAxis
-    neutral: float
-    truth: Sequence[float]
-    learnt: Mapping[str, Sequence[FloatArray]]
+    wordings: Sequence[str]  # what the plot is called, the longest first
+    names: Sequence[str]  # what the rows are called
+    marks: Sequence[float]  # values to write under the plot
+    shares: Axis | LogAxis  # where values lie, from 0 (left) to 1 (right)
+    neutral: float  # the value that means nothing, marked by a line
+    truth: Sequence[float]  # the true number of each row
+    learnt: Mapping[str, Sequence[FloatArray]]  # of each learner each seed's numbers, one a row
 
     def draw(self, canvas: Canvas, box: Box) -> None:
         """Draw what was learnt around the truth."""
         unit, size = canvas.unit, canvas.type.small
-        rest = caption(canvas, box, self.wordings)
-        left = min(gutter(canvas, self.names), 0.4 * rest.width)
-        panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+        left = min(gutter(canvas, self.names), 0.4 * box.width)
+        panel = named_panel(canvas, box, self.wordings, left)
 
         def at(value: float) -> float:
             # a margin keeps dots at the ends whole
@@ -302,11 +275,9 @@ def draw_calibration(
         "Prediction error, %",
         "Error, %",
     ]
-    rest = caption(canvas, box, wordings)
     reach = scales.calibration
     marks = ticks(-reach, reach, 2)
-    left = gutter(canvas, [number(mark) for mark in marks])
-    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
     across = Axis(0, 100, panel.left, panel.right)
     # a margin keeps dots at the ends whole
     margin = 5 * canvas.unit

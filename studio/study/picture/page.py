@@ -5,10 +5,7 @@ function that were learnt beside the true ones, the parameters, and how well pre
 are predicted. A single teacher gets the page to himself, in two columns.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-
-import pyarrow as pa
 
 from learners import Teacher
 from studio.painter.boxes import Box
@@ -31,47 +28,34 @@ from studio.style.palette import LIGHT, Theme, teacher_colour
 from studio.style.words import teacher_name
 
 SIZE = (1600, 1000)
+"""Width and height of the picture unless one asks for others, px."""
 
-MOST_TEACHERS = 4
-"""Columns of more teachers would be too narrow to read."""
-
+_MOST_TEACHERS = 4  # columns of more teachers would be too narrow to read
 _BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
 
 
 def compose_study_picture(
-    table: pa.Table, teachers: Sequence[Teacher], size: tuple[int, int] = SIZE, theme: Theme = LIGHT
+    results: StudyResults, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
 ) -> Canvas:
-    """Draw the picture of a study.
-
-    Args:
-        table: one row a fit, see `learners.run_study`; it may be incomplete.
-        teachers: who was learned from; of more than four, the first four are shown.
-        size: width and height, px.
-        theme: of the page.
-
-    Returns:
-        The canvas, which holds the pixels and knows where its texts are.
+    """Draw the picture of a study, of whose teachers the first four are shown; sizes are in px.
 
     Raises:
         InputError: if the size is not allowed.
     """
-    page = lay_out_study(StudyResults(table, tuple(teachers)), size, theme)
+    page = lay_out_study(results, size, theme)
     return draw_stage(page, page.results.stages[-1])
 
 
 @dataclass(frozen=True)
 class TeacherColumn:
-    """Where the teacher's name and verdict (`head`) and the plots about one teacher lie.
-
-    `shapes`, for weights and values, is None if no learner learnt any.
-    """
+    """Where the plots about one teacher lie."""
 
     teacher: Teacher
-    head: Box
+    head: Box  # for the teacher's name and the verdict
     regret: Box
-    shapes: Box | None
+    shapes: Box | None  # for weights and values; None if no learner learnt any
     parameters: Box
     calibration: Box
     agreement: Box
@@ -79,23 +63,14 @@ class TeacherColumn:
 
 @dataclass(frozen=True)
 class StudyPage:
-    """What stays the same at all stages of a study.
+    """What stays the same at all stages of a study."""
 
-    Attributes:
-        canvas: with the title of the study.
-        results: of the teachers that there is room for.
-        heading: where the title lies; the number of pairs is at its right.
-        columns: one a teacher.
-        notes: where the notes lie.
-        scales: that the plots of all teachers share.
-    """
-
-    canvas: Canvas
-    results: StudyResults
-    heading: Box
-    columns: tuple[TeacherColumn, ...]
-    notes: Box
-    scales: Scales
+    canvas: Canvas  # with the title of the study
+    results: StudyResults  # of the teachers that there is room for
+    heading: Box  # where the title lies; the number of pairs is at its right
+    columns: tuple[TeacherColumn, ...]  # one a teacher
+    notes: Box  # where the notes lie
+    scales: Scales  # that the plots of all teachers share
 
 
 def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) -> StudyPage:
@@ -104,8 +79,8 @@ def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) ->
     Raises:
         InputError: if the size is not allowed.
     """
-    left_out = len(results.teachers[MOST_TEACHERS:])
-    results = results.among(results.teachers[:MOST_TEACHERS])
+    left_out = len(results.teachers[_MOST_TEACHERS:])
+    results = results.among(results.teachers[:_MOST_TEACHERS])
     canvas = Canvas(*size, theme)
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
@@ -153,11 +128,7 @@ def _lay_out_column(
 
 
 def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
-    """Draw what was found by a stage on a page that was laid out for the study.
-
-    Returns:
-        A canvas of its own.
-    """
+    """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
     kind, ink, scales = canvas.type, canvas.theme.ink, page.scales
     corner = (page.heading.right, page.heading.top)

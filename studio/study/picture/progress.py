@@ -5,22 +5,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from learners import Curve, Teacher
-from studio.arrays import FloatArray
-from studio.painter.axes import (
-    Axis,
-    LogAxis,
-    caption,
-    foot,
-    ground,
-    gutter,
-    labels_below,
-    labels_beside,
-)
+from studio.painter.axes import Axis, LogAxis, ground, gutter, labels_below, labels_beside
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import band, dot
+from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
 from studio.study.words import NO_FITS
@@ -38,11 +29,9 @@ def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
         "Regret, % of random",
         "Regret, %",
     ]
-    rest = caption(canvas, box, wordings)
     low, high = scales.regret
     marks = decades(low, high)
-    left = gutter(canvas, [number(mark) for mark in marks])
-    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
     has_zero = stage.results.regrets.has_zero
     strip = 1.5 * kind.small if has_zero else 0.0
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
@@ -64,10 +53,8 @@ def draw_agreement(
         "Best picks, %",
         "Agreement",
     ]
-    rest = caption(canvas, box, wordings)
     marks = [mark for mark in ticks(scales.agreement, 100.0, 4) if mark <= 100.0]
-    left = gutter(canvas, [number(mark) for mark in marks])
-    panel = Box(rest.left + left, rest.top, rest.right, rest.bottom - foot(canvas))
+    panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
     # a margin keeps dots at the top whole
     up = Axis(scales.agreement, 100.0, panel.bottom, panel.top + 6 * canvas.unit)
     curves = stage.results.curves_of("agreement", teacher)
@@ -86,29 +73,15 @@ def _draw_curves(
 ) -> int:
     """Draw curves over the number of pairs, with bands, and names at their ends.
 
-    They go as far as the stage does; their names stand to the right of the farthest end.
-
-    Args:
-        canvas: to draw on.
-        panel: where, px.
-        stage: how far the curves go.
-        curves: of the whole study.
-        up: the vertical axis.
-        marks: values to write beside it.
-        scale: what the curves' values are multiplied by.
-        say: turns such a value into words.
-
-    Returns:
-        How many curves have begun.
+    They go as far as the stage does; their names stand to the right of the farthest end. The axis
+    upwards is that of the curves' values times `scale`, which `say` turns into words.
+    Returned is how many curves have begun.
     """
     unit, size = canvas.unit, canvas.type.small
 
     def wordings(curve: Curve, mean: float) -> list[str]:
         name = learner_name(curve.learner)
         return [f"{name} {say(scale * mean)}", name]
-
-    def points(curve: Curve) -> FloatArray:
-        return np.stack([across.along(curve.pairs), up.along(scale * curve.mean)], axis=-1)
 
     longest = [wordings(curve, mean)[0] for curve in curves for mean in curve.mean]
     widest = [canvas.measure(said, size, SEMIBOLD) for said in longest]
@@ -133,24 +106,25 @@ def _draw_curves(
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
     begun = [curve for curve in map(stage.so_far, curves) if len(curve.pairs)]
-    part = canvas.clipped(plot)
-    for curve in begun:
+    colours = [learner_colour(curve.learner) for curve in begun]
+    paths = [
+        np.stack([across.along(curve.pairs), up.along(scale * curve.mean)], axis=-1)
+        for curve in begun
+    ]
+    for curve, colour in zip(begun, colours, strict=True):
         if len(curve.pairs) > 1 and (curve.runs > 1).any():
             low, high = up.along(scale * curve.low), up.along(scale * curve.high)
-            band(canvas, plot, across.along(curve.pairs), low, high, learner_colour(curve.learner))
-    for curve in begun:
-        part.line(points(curve), learner_colour(curve.learner), 2.6 * unit)
-    for curve in begun:
-        for x, y in points(curve).tolist():
-            dot(part, x, y, learner_colour(curve.learner), 3.4)
-    left = max((float(points(curve)[-1, 0]) for curve in begun), default=end) + pen
+            band(canvas, plot, across.along(curve.pairs), low, high, colour)
+    part = canvas.clipped(plot)
+    for path, colour in zip(paths, colours, strict=True):
+        part.line(path, colour, 2.6 * unit)
+    for path, colour in zip(paths, colours, strict=True):
+        for x, y in path.tolist():
+            dot(part, x, y, colour, 3.4)
+    left = max((float(path[-1, 0]) for path in paths), default=end) + pen
     labels = [
-        (
-            float(points(curve)[-1, 1]),
-            wordings(curve, curve.mean[-1]),
-            learner_colour(curve.learner),
-        )
-        for curve in begun
+        (float(path[-1, 1]), wordings(curve, curve.mean[-1]), colour)
+        for curve, path, colour in zip(begun, paths, colours, strict=True)
     ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
     return len(begun)

@@ -16,29 +16,21 @@ class Scales:
     """Ranges that the teachers' panels share, so that they can be compared.
 
     They hold what was found at every number of pairs, so that nothing moves but what is learned.
-
-    Attributes:
-        regret: in %, above 0.
-        agreement: lowest share shown, in %.
-        reach: largest utility of which the value is shown.
-        values: of the value functions.
-        calibration: largest error of a prediction shown, in %.
-        theta: of the numbers of θ/‖θ‖.
-        parameters: of α, η, λ, γ and δ.
     """
 
-    regret: tuple[float, float]
-    agreement: float
-    reach: float
-    values: tuple[float, float]
-    calibration: float
-    theta: tuple[float, float]
-    parameters: tuple[float, float]
+    regret: tuple[float, float]  # in %, above 0
+    agreement: float  # lowest share shown, in %
+    reach: float  # largest utility of which the value is shown
+    values: tuple[float, float]  # of the value functions
+    calibration: float  # largest error of a prediction shown, in %
+    theta: tuple[float, float]  # of the numbers of θ/‖θ‖
+    parameters: tuple[float, float]  # of α, η, λ, γ and δ
 
     @classmethod
     def around(cls, results: StudyResults) -> "Scales":
         """Ranges that hold what the whole study found."""
-        teachers, low = results.teachers, results.regrets.start
+        teachers = results.teachers
+        low = results.regrets.start if results.curves("regret_percent") else 1.0
         regret = (low / 1.5, max(1.2 * (results.regrets.most or 10.0), 12.0 * low))
         shares = [float(min(curve.low.min(), 1.0)) for curve in results.curves("agreement")]
         lowest = min(100.0 * min(shares, default=0.0), 90.0)

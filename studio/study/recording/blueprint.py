@@ -20,8 +20,7 @@ from studio.study.recording.minds import parameter_bounds
 from studio.study.results import StudyResults
 from studio.study.words import short_teacher_name
 
-PLAYING_TIME = 12.0
-"""How long the whole study takes when it is played, s."""
+_PLAYING_TIME = 12.0  # that the whole study takes when it is played, s
 
 
 def study_blueprint(results: StudyResults) -> rrb.Blueprint:
@@ -38,52 +37,39 @@ def study_blueprint(results: StudyResults) -> rrb.Blueprint:
         # the latest is the best that was learned; play begins anew from the first
         play_state="following",
         loop_mode="off",
-        frames_per_second=max(1.0, results.sizes[-1] / PLAYING_TIME),
+        frames_per_second=max(1.0, results.sizes[-1] / _PLAYING_TIME),
     )
 
 
 def study_overview_tab(results: StudyResults) -> rrb.Container:
     """All teachers side by side: regret above, the weights of losses below; the summary beside."""
-    return rrb.Horizontal(
-        _beside_one_another(
-            [
-                rrb.Vertical(
-                    curve_view(results, teacher, REGRET_CURVES),
-                    mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
-                )
-                for teacher in results.teachers
-            ]
-        ),
-        page_view(entities.SUMMARY, "Summary"),
-        column_shares=[2, 1],
-        name="Overview",
-    )
+    columns = [
+        rrb.Vertical(
+            curve_view(results, teacher, REGRET_CURVES),
+            mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
+        )
+        for teacher in results.teachers
+    ]
+    summary = page_view(entities.SUMMARY, "Summary")
+    beside = _beside_one_another(columns)
+    return rrb.Horizontal(beside, summary, column_shares=[2, 1], name="Overview")
 
 
 def teacher_tab(results: StudyResults, teacher: Teacher) -> rrb.Container:
     """One teacher: curves above, the minds below, numbers and parameters beside."""
+    curves = [curve_view(results, teacher, kind) for kind in (REGRET_CURVES, AGREEMENT_CURVES)]
+    minds = [
+        mind_view(teacher, entities.GAIN_WEIGHTS, "w(p) of gains"),
+        mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
+        mind_view(teacher, entities.VALUES, "v over θ·φ/|θ|"),
+    ]
+    numbers = page_view(entities.page(teacher.name), "Numbers")
+    title = "θ/|θ| and parameters (dark mark: truth)"
+    bounds = parameter_bounds(results)
+    parameters = study_figure_view(teacher, entities.PARAMETERS, bounds, title)
     return rrb.Horizontal(
-        rrb.Vertical(
-            rrb.Horizontal(
-                curve_view(results, teacher, REGRET_CURVES),
-                curve_view(results, teacher, AGREEMENT_CURVES),
-            ),
-            rrb.Horizontal(
-                mind_view(teacher, entities.GAIN_WEIGHTS, "w(p) of gains"),
-                mind_view(teacher, entities.LOSS_WEIGHTS, "w(p) of losses"),
-                mind_view(teacher, entities.VALUES, "v over θ·φ/|θ|"),
-            ),
-        ),
-        rrb.Vertical(
-            page_view(entities.page(teacher.name), "Numbers"),
-            study_figure_view(
-                teacher,
-                entities.PARAMETERS,
-                parameter_bounds(results),
-                "θ/|θ| and parameters (dark mark: truth)",
-            ),
-            row_shares=[18, 19],
-        ),
+        rrb.Vertical(rrb.Horizontal(*curves), rrb.Horizontal(*minds)),
+        rrb.Vertical(numbers, parameters, row_shares=[18, 19]),
         column_shares=[2, 1],
         name=short_teacher_name(teacher),
     )
@@ -92,42 +78,26 @@ def teacher_tab(results: StudyResults, teacher: Teacher) -> rrb.Container:
 def families_tab(results: StudyResults) -> rrb.Container:
     """All teachers side by side: regret by family and scene; beside, the scenes that tell most."""
     bounds = family_figure(results).bounds
-    return rrb.Horizontal(
-        _beside_one_another(
-            [
-                study_figure_view(
-                    teacher,
-                    entities.FAMILIES,
-                    bounds,
-                    f"{short_teacher_name(teacher)}: regret by family",
-                )
-                for teacher in results.teachers
-            ]
-        ),
-        page_view(entities.SCENES, "Scenes"),
-        column_shares=[3, 2],
-        name="Families",
-    )
+    columns = []
+    for teacher in results.teachers:
+        title = f"{short_teacher_name(teacher)}: regret by family"
+        columns.append(study_figure_view(teacher, entities.FAMILIES, bounds, title))
+    scenes = page_view(entities.SCENES, "Scenes")
+    beside = _beside_one_another(columns)
+    return rrb.Horizontal(beside, scenes, column_shares=[3, 2], name="Families")
 
 
 def calibration_tab(results: StudyResults) -> rrb.Container:
     """Predicted preferences on held-out scenes: calibration above, likelihood below."""
-    return _beside_one_another(
-        [
-            rrb.Vertical(
-                study_figure_view(
-                    teacher,
-                    entities.CALIBRATION,
-                    calibration_axes().bounds,
-                    f"{_name(teacher)}: choices over predictions",
-                ),
-                curve_view(results, teacher, LIKELIHOOD_CURVES),
-                row_shares=[6, 5],
-            )
-            for teacher in results.teachers
-        ],
-        "Calibration",
-    )
+    columns = [
+        rrb.Vertical(
+            mind_view(teacher, entities.CALIBRATION, "choices over predictions"),
+            curve_view(results, teacher, LIKELIHOOD_CURVES),
+            row_shares=[6, 5],
+        )
+        for teacher in results.teachers
+    ]
+    return _beside_one_another(columns, "Calibration")
 
 
 def curve_view(results: StudyResults, teacher: Teacher, kind: CurveFigure) -> rrb.View:
@@ -137,7 +107,7 @@ def curve_view(results: StudyResults, teacher: Teacher, kind: CurveFigure) -> rr
 
 
 def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
-    """Learnt functions beside the teacher's."""
+    """A square figure: learnt functions beside the teacher's, or choices over predictions."""
     return study_figure_view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
 
 

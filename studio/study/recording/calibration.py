@@ -12,8 +12,7 @@ from studio.study.recording.over_pairs import changing_figure, learner_entries
 from studio.study.results import StudyResults
 from studio.style.palette import LIGHT, blend, learner_colour
 
-LARGEST_DOT = 26.0
-"""Diameter of the dot of all predictions together, in pixels."""
+_LARGEST_DOT = 26.0  # diameter of the dot of all predictions together, in pixels
 
 
 def calibration_axes() -> Axes:
@@ -44,5 +43,5 @@ def log_calibration(stream: rr.RecordingStream, results: StudyResults, teacher: 
             spots = axes.place(pooled.predicted, pooled.preferred)
             changing.line(spots, learner_colour(learner), 3.5)
             for spot, share in zip(spots, pooled.count / pooled.count.sum(), strict=True):
-                size = max(6.0, LARGEST_DOT * float(np.sqrt(share)))
+                size = max(6.0, _LARGEST_DOT * float(np.sqrt(share)))
                 changing.dot(spot, learner_colour(learner), size)

@@ -17,32 +17,20 @@ from studio.study.words import learner_called
 from studio.style.palette import LIGHT, blend, learner_colour
 from studio.style.words import counted, short
 
-# All lengths are in units of the page: 1 is the width of the boxes and the scale together.
-
-TALLEST_STRIP, LEAST_STRIP = 0.21, 0.09
-"""Height of the strip of one learner in one family: what looks good, and what
-the words beside it need."""
-
-ROOM = 2.4
-"""Height that all strips share as long as they need no more."""
-
-HEADING = 0.13
-"""Height of the name of a family above its strips."""
+# lengths on the page, on which 1 is the width of the boxes and the scale together
+_TALLEST_STRIP = 0.21  # height of the strip of one learner in one family that looks good
+_LEAST_STRIP = 0.09  # height that the words beside a strip need
+_ROOM = 2.4  # height that all strips share as long as they need no more
+_HEADING = 0.13  # height of the name of a family above its strips
+_SCALE_LEFT = 0.31  # where the scale begins
+_MEANS = 1.14  # where the means are written
+_BESIDE = 0.06  # from the middle of its ring to the number of a scene
 
 NOTHING = 0.24
 """Width of the boxes on the left that hold the scenes without regret."""
 
-SCALE_LEFT = 0.31
-"""Where the scale begins."""
-
-MEANS = 1.14
-"""Where the means are written."""
-
 LEAST_PERCENT = 0.1
 """The scale begins no lower, and smaller regrets are drawn at this, % of a random action's."""
-
-BESIDE = 0.06
-"""How far from the middle of its ring the number of a scene is written."""
 
 _SPREADING = (0.7548776662466927, 0.5698402909980532)
 """Steps around the unit square that fill it evenly however many are made (Roberts, "The
@@ -53,8 +41,7 @@ Unreasonable Effectiveness of Quasirandom Sequences", 2018)."""
 class FamilyFigure:
     """What the figures of all teachers are drawn on: a strip a family and learner, top to bottom.
 
-    The scale, along the page from `SCALE_LEFT` on, is that of regrets above 0, in % of a random
-    action's.
+    The scale is that of regrets above 0, in % of a random action's.
     """
 
     families: tuple[str, ...]
@@ -64,13 +51,13 @@ class FamilyFigure:
     @property
     def strip_height(self) -> float:
         """Height of the strip of one learner in one family."""
-        share = (ROOM / len(self.families) - HEADING) / len(self.learners)
-        return max(LEAST_STRIP, min(TALLEST_STRIP, share))
+        share = (_ROOM / len(self.families) - _HEADING) / len(self.learners)
+        return max(_LEAST_STRIP, min(_TALLEST_STRIP, share))
 
     @property
     def family_height(self) -> float:
         """Height of all strips of one family with its name."""
-        return HEADING + self.strip_height * len(self.learners)
+        return _HEADING + self.strip_height * len(self.learners)
 
     @property
     def height(self) -> float:
@@ -79,16 +66,16 @@ class FamilyFigure:
 
     def strip(self, family: str, learner: str) -> float:
         """How high the middle of a strip lies."""
-        above = HEADING / 2.0 + self.strip_height * (self.learners.index(learner) + 0.5)
+        above = _HEADING / 2.0 + self.strip_height * (self.learners.index(learner) + 0.5)
         return self.heading(family) - above
 
     def heading(self, family: str) -> float:
         """How high the name of a family lies."""
-        return self.height - self.families.index(family) * self.family_height - HEADING / 2.0
+        return self.height - self.families.index(family) * self.family_height - _HEADING / 2.0
 
     def across(self, percent: FloatArray) -> FloatArray:
         """Where regrets lie along the page; what is off the scale lies at its end."""
-        places: FloatArray = SCALE_LEFT + (1.0 - SCALE_LEFT) * self.scale(percent)
+        places: FloatArray = _SCALE_LEFT + (1.0 - _SCALE_LEFT) * self.scale(percent)
         return places
 
     @property
@@ -104,7 +91,8 @@ def family_figure(results: StudyResults) -> FamilyFigure:
         for learner in results.learners:
             for family in results.families:
                 curve = results.family_percents(family, teacher, learner)
-                percents += [] if curve is None else [*curve.mean.tolist(), *curve.high.tolist()]
+                if curve:
+                    percents += [*curve.mean.tolist(), *curve.high.tolist()]
             for pairs in results.sizes:
                 regrets = results.scene_regrets(teacher, learner, pairs)
                 if regrets is not None:
@@ -141,22 +129,22 @@ def draw_strips(drawing: Drawing, results: StudyResults, figure: FamilyFigure) -
     for family in figure.families:
         count = sum(scene.family == family for scene in results.scenes.values())
         drawing.text((0.5, figure.heading(family)), f"{short(family)}, {counted(count, 'scene')}")
-        top = figure.heading(family) - HEADING / 2.0
+        top = figure.heading(family) - _HEADING / 2.0
         bottom = top - figure.strip_height * len(figure.learners)
         for tick, x in zip(ticks, figure.across(np.array(ticks)), strict=True):
             drawing.line([(x, bottom), (x, top)], LIGHT.faint if tick == 100.0 else LIGHT.grid, 1.0)
         for place in range(len(figure.learners) + 1):
             y = top - figure.strip_height * place
             drawing.line([(0.0, y), (NOTHING, y)], LIGHT.grid, 1.0)
-            drawing.line([(SCALE_LEFT, y), (1.0, y)], LIGHT.grid, 1.0)
+            drawing.line([(_SCALE_LEFT, y), (1.0, y)], LIGHT.grid, 1.0)
         for x in (0.0, NOTHING):
             drawing.line([(x, bottom), (x, top)], LIGHT.grid, 1.0)
     drawing.text((NOTHING / 2.0, -0.08), "none")
     for words, x in zip(figure.scale.words, figure.across(np.array(ticks)), strict=True):
         if words:
             drawing.text((float(x), -0.08), words)
-    drawing.text(((SCALE_LEFT + 1.0) / 2.0, -0.2), "regret, % of a random action's")
-    drawing.text((MEANS, figure.heading(figure.families[0])), "mean")
+    drawing.text(((_SCALE_LEFT + 1.0) / 2.0, -0.2), "regret, % of a random action's")
+    drawing.text((_MEANS, figure.heading(figure.families[0])), "mean")
     entries = [(learner_called(learner), learner_colour(learner)) for learner in figure.learners]
     draw_key(drawing, entries, 0.0, figure.height + KEY_STEP * (len(entries) - 0.5))
 
@@ -190,7 +178,7 @@ def draw_scenes(
         drawing.dot((across, up), LIGHT.ink, 9.0)
         drawing.dot((across, up), learner_colour(regrets.learner), 5.5)
         # away from the words at either side of the page
-        aside = BESIDE if across < NOTHING else -BESIDE
+        aside = _BESIDE if across < NOTHING else -_BESIDE
         drawing.text((across + aside, up + 0.02), str(telling.index(scene) + 1))
 
 
@@ -204,7 +192,7 @@ def draw_mean(
     drawing.line([(left, y), (right, y)], colour, 5.0)
     drawing.dot((middle, y), LIGHT.ink, 15.0)
     drawing.dot((middle, y), colour, 11.0)
-    drawing.text((MEANS, y), f"{spread.mean:.2f} %")
+    drawing.text((_MEANS, y), f"{spread.mean:.2f} %")
 
 
 def scene_percents(results: StudyResults, teacher: Teacher, regrets: SceneRegrets) -> FloatArray:

@@ -31,39 +31,27 @@ from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
 from studio.style.ticks import doublings, round_ticks
 
-PROBABILITIES: FloatArray = (1.0 - np.cos(np.linspace(0.0, np.pi, 61))) / 2.0
-"""Where w(p) is drawn: denser towards 0 and 1, where it is steep."""
+# where w(p) is drawn: denser towards 0 and 1, where it is steep
+_PROBABILITIES: FloatArray = (1.0 - np.cos(np.linspace(0.0, np.pi, 61))) / 2.0
 
-UTILITIES: FloatArray = np.sign(np.linspace(-1.0, 1.0, 81)) * np.linspace(-1.0, 1.0, 81) ** 2
-"""Where v is drawn, in units of ‖θ‖: denser at 0, where the kink is."""
+# where v is drawn, in units of ‖θ‖: denser at 0, where the kink is
+_UTILITIES: FloatArray = np.sign(np.linspace(-1.0, 1.0, 81)) * np.linspace(-1.0, 1.0, 81) ** 2
 
-ROW = 0.095
-"""Height of a row in the figure of parameters, in units of the page."""
-
-KEY_COLUMNS = 2
-"""How many learners the key of that figure names beside one another."""
-
-LEAST_PARAMETER, LARGEST_PARAMETER = 0.25, 4.0
-"""The scale of parameters reaches at least from the one to the other."""
+# the figure of parameters
+_ROW = 0.095  # height of a row, in units of the page
+_KEY_COLUMNS = 2  # how many learners its key names beside one another
+_LEAST_PARAMETER, _LARGEST_PARAMETER = 0.25, 4.0  # the scale reaches at least from one to the other
 
 
 @dataclass(frozen=True)
 class MindFigure:
-    """What a figure of learnt functions shows.
+    """What a figure of learnt functions shows."""
 
-    Attributes:
-        path: its entity.
-        axes: what it is drawn on.
-        x: where functions are drawn, [X].
-        truth: the teacher's function there, [X].
-        learnt: gives the function that a fit learnt there, [X].
-    """
-
-    path: str
-    axes: Axes
-    x: FloatArray
-    truth: FloatArray
-    learnt: Callable[[Row], FloatArray]
+    path: str  # its entity
+    axes: Axes  # what it is drawn on
+    x: FloatArray  # [X], where functions are drawn
+    truth: FloatArray  # [X], the teacher's function there
+    learnt: Callable[[Row], FloatArray]  # gives the function that a fit learnt there, [X]
 
 
 def log_minds(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
@@ -75,23 +63,17 @@ def log_minds(stream: rr.RecordingStream, results: StudyResults, teacher: Teache
 
 
 def weight_figure(teacher: Teacher, name: str, curvature: str) -> MindFigure:
-    """How much a probability counts.
-
-    Args:
-        teacher: whose weights are the truth.
-        name: of the figure.
-        curvature: the parameter that bends the weights: `gamma` of gains, `delta` of losses.
-    """
+    """How much a probability counts, if `gamma` bends it (of gains) or `delta` (of losses)."""
 
     def learnt(fit: Row) -> FloatArray:
-        weights: FloatArray = weight(PROBABILITIES, getattr(learnt_parameters(fit), curvature))
+        weights: FloatArray = weight(_PROBABILITIES, getattr(learnt_parameters(fit), curvature))
         return weights
 
     scale = linear((0.0, 0.5, 1.0))
     true_curvature = getattr(teacher.parameters, curvature)
-    truth = weight(PROBABILITIES, true_curvature, weighting=teacher.weighting)
+    truth = weight(_PROBABILITIES, true_curvature, weighting=teacher.weighting)
     path = entities.figure(teacher.name, name)
-    return MindFigure(path, Axes(scale, scale), PROBABILITIES, truth, learnt)
+    return MindFigure(path, Axes(scale, scale), _PROBABILITIES, truth, learnt)
 
 
 def value_figure(teacher: Teacher) -> MindFigure:
@@ -104,13 +86,13 @@ def value_figure(teacher: Teacher) -> MindFigure:
     up = linear(round_ticks(1.25 * truth.min(), 1.25 * truth.max()))
     axes = Axes(linear((-1.0, -0.5, 0.0, 0.5, 1.0)), up)
     path = entities.figure(teacher.name, entities.VALUES)
-    return MindFigure(path, axes, UTILITIES, truth, learnt)
+    return MindFigure(path, axes, _UTILITIES, truth, learnt)
 
 
 def values_along(theta: Sequence[float], reference: float, people: CptParameters) -> FloatArray:
-    """Values v at `UTILITIES`, [X]."""
+    """Values v at `_UTILITIES`, [X]."""
     length = float(np.sqrt(np.sum(np.square(theta))))
-    values: FloatArray = value(length * UTILITIES - reference, people)
+    values: FloatArray = value(length * _UTILITIES - reference, people)
     return values
 
 
@@ -164,7 +146,7 @@ def log_parameters(stream: rr.RecordingStream, results: StudyResults, teacher: T
     scales = [direction] * len(FEATURES) + [parameters] * len(CptParameters.SYMBOLS)
     drawing = Drawing(lift=LIFT)
     for scale, block in ((direction, heights[:5]), (parameters, heights[5:])):
-        top, foot = block[0] + ROW / 2, block[-1] - ROW / 2
+        top, foot = block[0] + _ROW / 2, block[-1] - _ROW / 2
         for tick, words in zip(scale.ticks, scale.words, strict=True):
             across = float(scale(tick))
             colour = LIGHT.faint if words in ("0", "1") else LIGHT.grid
@@ -173,20 +155,20 @@ def log_parameters(stream: rr.RecordingStream, results: StudyResults, teacher: T
     for words, y in zip(names, heights, strict=True):
         drawing.text((-0.2, y), words)
     for place, entry in enumerate(learner_entries(results.learners)):
-        row, column = divmod(place, KEY_COLUMNS)
-        draw_key(drawing, [entry], 0.55 * column, heights[0] + ROW * (row + 1))
+        row, column = divmod(place, _KEY_COLUMNS)
+        draw_key(drawing, [entry], 0.55 * column, heights[0] + _ROW * (row + 1))
     drawing.log(stream, path)
 
     truth = Drawing()
     numbers = [*unit_vector(teacher.reward), *teacher.parameters.numbers]
     for scale, y, number in zip(scales, heights, numbers, strict=True):
         across = float(scale(number))
-        truth.line([(across, y - 0.4 * ROW), (across, y + 0.4 * ROW)], LIGHT.ink, 2.5)
+        truth.line([(across, y - 0.4 * _ROW), (across, y + 0.4 * _ROW)], LIGHT.ink, 2.5)
     truth.log(stream, entities.truth(path), draw_order=22.0)
 
     for pairs, changing in changing_figure(stream, results, path):
         for place, learner in enumerate(results.learners):
-            aside = 0.6 * ROW * ((place + 0.5) / len(results.learners) - 0.5)
+            aside = 0.6 * _ROW * ((place + 0.5) / len(results.learners) - 0.5)
             spreads = spreads_of_numbers(results, teacher, learner, pairs)
             for scale, y, spread in zip(scales, heights, spreads, strict=True):
                 if spread is not None:
@@ -197,14 +179,10 @@ def spreads_of_numbers(
     results: StudyResults, teacher: Teacher, learner: str, pairs: int
 ) -> list[Spread | None]:
     """What the seeds say of each number of θ/‖θ‖, then of each parameter; None where nothing."""
-
-    def spread(column: str) -> Spread | None:
-        curve = results.curve(column, teacher, learner)
-        return curve.at(pairs) if curve else None
-
-    theta = spread("theta_unit")
+    columns = ("theta_unit", *PARAMETER_COLUMNS)
+    theta, *parameters = (results.spread(each, teacher, learner, pairs) for each in columns)
     direction = [theta and _number_of(theta, place) for place in range(len(FEATURES))]
-    return [*direction, *map(spread, PARAMETER_COLUMNS)]
+    return [*direction, *parameters]
 
 
 def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour: Colour) -> None:
@@ -221,21 +199,21 @@ def draw_spread(drawing: Drawing, scale: Scale, y: float, spread: Spread, colour
 def parameter_scales(results: StudyResults) -> tuple[Scale, Scale]:
     """The scales of θ/‖θ‖ and of the parameters, the same for all teachers."""
     truths = [number for teacher in results.teachers for number in teacher.parameters.numbers]
-    ticks = doublings(min(LEAST_PARAMETER, *truths), max(LARGEST_PARAMETER, 2.0 * max(truths)))
+    ticks = doublings(min(_LEAST_PARAMETER, *truths), max(_LARGEST_PARAMETER, 2.0 * max(truths)))
     parameters = Scale(tuple(ticks), tuple(f"{tick:.3g}" for tick in ticks), True)
     return linear((-1.0, -0.5, 0.0, 0.5, 1.0)), parameters
 
 
 def row_heights() -> list[float]:
     """Where the rows of the figure of parameters lie, the lowest at 0."""
-    below = [ROW * place for place in reversed(range(5))]
-    return [*(below[0] + ROW * place + 0.14 for place in (5, 4, 3, 2, 1)), *below]
+    below = [_ROW * place for place in reversed(range(5))]
+    return [*(below[0] + _ROW * place + 0.14 for place in (5, 4, 3, 2, 1)), *below]
 
 
 def parameter_bounds(results: StudyResults) -> Bounds:
     """What a view of the figure of parameters must show."""
-    rows_of_key = -(-len(results.learners) // KEY_COLUMNS)
-    return -0.36, -0.16, 1.06, row_heights()[0] + ROW * rows_of_key + 0.06
+    rows_of_key = -(-len(results.learners) // _KEY_COLUMNS)
+    return -0.36, -0.16, 1.06, row_heights()[0] + _ROW * rows_of_key + 0.06
 
 
 def _number_of(spread: Spread, place: int) -> Spread:

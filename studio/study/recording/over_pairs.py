@@ -8,6 +8,7 @@ import rerun as rr
 from learners import Spread
 from studio.recorder.axes import LIFT
 from studio.recorder.drawing import Drawing
+from studio.recorder.pages import log_page
 from studio.study.recording import entities
 from studio.study.results import StudyResults
 from studio.style.palette import Colour, learner_colour
@@ -37,8 +38,7 @@ def log_changing_page(
 ) -> None:
     """Add a page of Markdown, written anew for each number of pairs."""
     for pairs in each_size(stream, results):
-        document = rr.TextDocument(page(pairs), media_type=rr.MediaType.MARKDOWN)
-        stream.log(path, document)
+        log_page(stream, path, page(pairs), static=False)
 
 
 def learner_entries(learners: Iterable[str]) -> list[tuple[str, Colour | None]]:

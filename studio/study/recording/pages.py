@@ -1,6 +1,5 @@
 """The pages of a recording of a study, in Markdown: what one sees, and how to make it again."""
 
-import json
 import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -25,17 +24,11 @@ from studio.style.words import counted, learner_name, number, teacher_name
 
 @dataclass(frozen=True)
 class _Measure:
-    """How pages write a column of the study's table.
-
-    Attributes:
-        column: its name.
-        form: of its numbers, as Python formats them.
-        factor: what its numbers are multiplied by.
-    """
+    """How pages write a column of the study's table."""
 
     column: str
-    form: str
-    factor: float = 1.0
+    form: str  # of its numbers, as Python formats them
+    factor: float = 1.0  # what its numbers are multiplied by
 
 
 _REGRET = _Measure("regret_percent", ".2f")
@@ -160,8 +153,6 @@ def about_study_page(
 
 def study_command(results: StudyResults, settings: Mapping[str, object]) -> str:
     """The command that makes the study again."""
-    if "command" in settings:
-        return str(settings["command"])
     known, own = [], []
     for teacher in results.teachers:
         standard = TEACHERS.get(teacher.name)
@@ -184,9 +175,12 @@ def study_command(results: StudyResults, settings: Mapping[str, object]) -> str:
 
 def _what_one_sees(results: StudyResults) -> list[str]:
     """The figures of the recording, with links to those of the first teacher."""
-    first = results.teachers[0]
+
+    def shown(figure: str, words: str) -> str:
+        return link(words, entities.figure(results.teachers[0].name, figure))
+
     families = [
-        f"* {_figure_link(first, entities.FAMILIES, 'Families')}: the same regret by kind of "
+        f"* {shown(entities.FAMILIES, 'Families')}: the same regret by kind of "
         "scene. A dot is a scene that was held out, those without regret in a box at the left; the "
         "large dot is the mean of the family over seeds, the line its 95 % interval. All are in % "
         "of what a random action costs in the family, on average over its scenes. Ringed and "
@@ -194,26 +188,26 @@ def _what_one_sees(results: StudyResults) -> list[str]:
         "links to their own recordings."
     ]
     return [
-        f"* {_figure_link(first, entities.REGRET, 'Regret')}: what the teacher loses by the "
+        f"* {shown(entities.REGRET, 'Regret')}: what the teacher loses by the "
         "learner's picks, in % of what picking at random would cost. The line is the mean over "
         "seeds, the band the 95 % bootstrap interval of that mean. What leaves the figure is drawn "
         "at its edge. The upright line marks the number of pairs that the other figures show.",
-        f"* {_figure_link(first, entities.AGREEMENT, 'Best action found')}: in how many of the "
+        f"* {shown(entities.AGREEMENT, 'Best action found')}: in how many of the "
         "scenes the learner picks what the teacher would.",
-        f"* {_figure_link(first, entities.GAIN_WEIGHTS, 'w(p) of gains')} and "
-        f"{_figure_link(first, entities.LOSS_WEIGHTS, 'of losses')}: how much a probability "
+        f"* {shown(entities.GAIN_WEIGHTS, 'w(p) of gains')} and "
+        f"{shown(entities.LOSS_WEIGHTS, 'of losses')}: how much a probability "
         "counts. Faint lines are the seeds, the bold one is their mean, the dashed one the "
         "teacher. An EU learner counts every probability as it is.",
-        f"* {_figure_link(first, entities.VALUES, 'v(u)')}: how good a utility feels, over "
+        f"* {shown(entities.VALUES, 'v(u)')}: how good a utility feels, over "
         "u = θ·φ/|θ|: choices tell the length of θ only together with the value function.",
-        f"* {_figure_link(first, entities.PARAMETERS, 'Parameters')}: the dot is the mean, the "
+        f"* {shown(entities.PARAMETERS, 'Parameters')}: the dot is the mean, the "
         "thick line its 95 % interval, the thin one ± one standard deviation, the dark mark the "
         "truth. Loss aversion, curvature and the length of θ trade off against one another, so "
         "that single parameters stay wide where the choices are predicted well.",
         *(families if results.scenes else []),
-        f"* {_figure_link(first, entities.CALIBRATION, 'Calibration')}: how probable the teacher's "
+        f"* {shown(entities.CALIBRATION, 'Calibration')}: how probable the teacher's "
         "choices are where the learner predicts so much; a dot's area is the share of predictions. "
-        f"Below, the {_figure_link(first, entities.LIKELIHOOD, 'likelihood')} of held-out choices.",
+        f"Below, the {shown(entities.LIKELIHOOD, 'likelihood')} of held-out choices.",
     ]
 
 
@@ -262,16 +256,14 @@ def _setting_rows(
 ) -> list[list[str]]:
     """Everything that the study depends on, a row each."""
     study = results.study
-    repeated = [row.get("repeated", 0) for row in results.fits]
+    repeated = max(row["repeated"] for row in results.fits)
     told: dict[str, object] = {
         "teachers": ", ".join(teacher.name for teacher in results.teachers),
         "learners": ", ".join(results.learners),
         "pairs": ", ".join(map(str, results.sizes)),
         "seeds": results.seeds,
         "fits": f"{len(results.fits)}, of which {results.unsettled} did not converge",
-        "pairs asked more than once": f"at most {max(repeated)} of a fit",
-    }
-    further: dict[str, object] = {
+        "pairs asked more than once": f"at most {repeated} of a fit",
         **{
             f"learner: {learner_name(name)}": _flat(description)
             for name, description in study.get("learners", {}).items()
@@ -281,7 +273,7 @@ def _setting_rows(
         **settings,
         **{f"version: {name}": version for name, version in versions.items()},
     }
-    return [[name, str(given)] for name, given in (*told.items(), *further.items())]
+    return [[name, str(given)] for name, given in told.items()]
 
 
 def _final_rows(results: StudyResults) -> list[list[str]]:
@@ -295,7 +287,9 @@ def _final_rows(results: StudyResults) -> list[list[str]]:
             interval = f"{spread.low:.2f} to {spread.high:.2f}" if spread.runs > 1 else "–"
             rows.append(
                 [
-                    _figure_link(teacher, entities.REGRET, teacher_name(teacher.name)),
+                    link(
+                        teacher_name(teacher.name), entities.figure(teacher.name, entities.REGRET)
+                    ),
                     learner_name(learner),
                     _cell(results, teacher, learner, _REGRET, pairs),
                     interval,
@@ -316,20 +310,14 @@ def _cell(
     results: StudyResults, teacher: Teacher, learner: str, measure: _Measure, pairs: int
 ) -> str:
     """Mean ± standard deviation; the mean alone where there is a single seed."""
-    curve = results.curve(measure.column, teacher, learner)
-    spread = curve and curve.at(pairs)
+    spread = results.spread(measure.column, teacher, learner, pairs)
     if not spread:
         return "–"
     mean = number(measure.factor * spread.mean, measure.form)
     return f"{mean} ± {measure.factor * spread.std:{measure.form}}" if spread.runs > 1 else mean
 
 
-def _flat(told: object) -> str:
+def _flat(description: dict[str, object]) -> str:
     """A learner's description in one line."""
-    if not isinstance(told, dict):
-        return json.dumps(told)
-    return ", ".join(f"{name} {given}" for name, given in told.items() if name != "name") or "–"
-
-
-def _figure_link(teacher: Teacher, figure: str, words: str) -> str:
-    return link(words, entities.figure(teacher.name, figure))
+    told = [f"{name} {given}" for name, given in description.items() if name != "name"]
+    return ", ".join(told) or "–"

@@ -8,11 +8,13 @@ import pyarrow as pa
 from learners import STUDY_SCHEMA, CptParameters, Teacher
 from learners.studying.table import METADATA
 from studio.recorder.contents import Contents
+from studio.study.fits import Row
 from studio.study.recording import entities
+from studio.study.results import StudyResults
 
 
-def read_study(contents: Contents) -> tuple[pa.Table, tuple[Teacher, ...]]:
-    """Read back the table of a study (see `learners.STUDY_SCHEMA`) and its teachers.
+def read_study(contents: Contents) -> StudyResults:
+    """Read back what came of a study.
 
     Columns that an older edition does not have are missing from the table, too.
 
@@ -35,7 +37,7 @@ def read_study(contents: Contents) -> tuple[pa.Table, tuple[Teacher, ...]]:
     schema = pa.schema([field for field in STUDY_SCHEMA if field.name in named])
     told = contents.text(entities.STUDY, "study")
     table = pa.Table.from_pylist(rows, schema.with_metadata({METADATA: told}))
-    return table, teachers
+    return StudyResults(table, teachers)
 
 
 def _teachers(contents: Contents) -> tuple[Teacher, ...]:
@@ -46,11 +48,12 @@ def _teachers(contents: Contents) -> tuple[Teacher, ...]:
     return tuple(Teacher(**description) for description in told.values())
 
 
-def _fits(teacher: str, learner: str, row: dict[str, Any]) -> list[dict[str, Any]]:
+def _fits(teacher: str, learner: str, row: Row) -> list[Row]:
     """The rows of the table that one row of the recording holds, one a seed."""
     seeds = row["seed"]
-    fits: list[dict[str, Any]] = [
-        {"teacher": teacher, "learner": learner, "pairs": row[entities.TIMELINE], "seed": seed}
+    fits: list[Row] = [
+        {field.name: None for field in STUDY_SCHEMA if field.nullable}
+        | {"teacher": teacher, "learner": learner, "pairs": row[entities.TIMELINE], "seed": seed}
         for seed in seeds
     ]
     for field in STUDY_SCHEMA:
@@ -65,8 +68,4 @@ def _fits(teacher: str, learner: str, row: dict[str, Any]) -> list[dict[str, Any
                 fit[field.name] = [None if number != number else number for number in part]
             else:
                 (fit[field.name],) = part
-    for fit in fits:
-        for field in STUDY_SCHEMA:
-            if field.nullable:
-                fit.setdefault(field.name, None)
     return fits

@@ -1,13 +1,13 @@
 """The page of a recording of a study that says in which scenes the learners differ most."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
 from learners import Teacher
 from studio.recorder.markdown import table
-from studio.study.recording.families import LEAST_PERCENT, family_figure
+from studio.study.recording.families import LEAST_PERCENT, family_figure, scene_percents
 from studio.study.results import StudyResults
 from studio.study.words import learner_called, teacher_called
 from studio.style.words import counted, number
@@ -15,31 +15,22 @@ from studio.style.words import counted, number
 
 @dataclass(frozen=True)
 class SceneLink:
-    """The recording of a scene of a study.
+    """The recording of a scene of a study."""
 
-    Attributes:
-        name: what the scene is called there.
-        path: where the recording is, from the folder of the study's own recording.
-        commands: the command lines that make it again in that folder; none if only a study does.
-    """
-
-    name: str
-    path: str
-    commands: tuple[str, ...]
+    name: str  # what the scene is called there
+    path: str  # where the recording is, from the folder of the study's own recording
+    commands: tuple[str, ...]  # that make it again in that folder; none if only a study does
 
 
-Links = Mapping[int, SceneLink]
+Links = dict[int, SceneLink]
 """Recordings by the scene's id in the bank."""
 
 
 def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:
     """The scenes in which learners differ most, with links to the recordings there are."""
-    several = len(results.learners) > 1
-    chosen = (
-        "in which the learners' regrets differ most (or else are largest)"
-        if several
-        else "of the largest regret"
-    )
+    chosen = "of the largest regret"
+    if len(results.learners) > 1:
+        chosen = "in which the learners' regrets differ most (or else are largest)"
     least = family_figure(results).scale.ticks[0]
     return "\n".join(
         [
@@ -55,11 +46,7 @@ def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:
             "All regrets, drawn and written, are in % of what a random action costs the teacher in "
             "scenes of that family, on average.",
             "",
-            *(
-                line
-                for teacher in results.teachers
-                for line in _teacher(results, links, teacher, pairs)
-            ),
+            *chain(*(_teacher(results, links, teacher, pairs) for teacher in results.teachers)),
             "Regret is the mean over the seeds that held the scene out, so many as the tables say; "
             "a pick is that of most of these seeds.",
             "",
@@ -97,13 +84,12 @@ def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pai
     if regrets is None or scene not in regrets.scenes:
         return "–"
     at = int(np.flatnonzero(regrets.scenes == scene)[0])
-    family = results.scenes[scene].family
-    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    pick, percent = regrets.picks[at], float(scene_percents(results, teacher, regrets)[at])
     if percent <= 0.0:
-        return f"{regrets.picks[at]}, 0 %"
+        return f"{pick}, 0 %"
     if percent < LEAST_PERCENT:
-        return f"{regrets.picks[at]}, < {number(LEAST_PERCENT)} %"
-    return f"{regrets.picks[at]}, {percent:.{0 if percent >= 10.0 else 1}f} %"
+        return f"{pick}, < {number(LEAST_PERCENT)} %"
+    return f"{pick}, {percent:.{0 if percent >= 10.0 else 1}f} %"
 
 
 def _runs(results: StudyResults, teacher: Teacher, scene: int) -> int:

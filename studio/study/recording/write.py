@@ -6,13 +6,12 @@ editions.
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 import rerun as rr
 import tomli_w
 from numpy.typing import NDArray
@@ -45,33 +44,28 @@ from studio.study.results import CURVE_COLUMNS, StudyResults
 SCHEMA_VERSION = 2
 """Edition of the layout that `recordings/README.md` describes."""
 
-Property = str | float | int | bool
-
-NAMED = ("teacher", "learner", "pairs")
-"""Columns that are not kept, because entity path and time tell them."""
+_NAMED = ("teacher", "learner", "pairs")  # columns that entity path and time tell
+_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")  # whole numbers
 
 
 def write_study_recording(
     path: Path,
-    table: pa.Table,
-    teachers: Sequence[Teacher],
-    properties: Mapping[str, Property],
+    results: StudyResults,
+    settings: Mapping[str, str | float | bool],
     links: Links | None = None,
 ) -> None:
     """Write a recording of a study.
 
     Args:
         path: the `.rrd` file to write.
-        table: what came of the study, one row a fit, see `learners.STUDY_SCHEMA`.
-        teachers: who was learned from; those without rows are left out.
-        properties: what else the recording shall say about itself, kept as its property
+        results: of the study; teachers without fits are left out.
+        settings: what else the recording shall say about itself, kept as its property
             `settings`; `outcomes`, the bank, goes into the command that makes it again.
         links: the recordings of scenes of the study to which the pages link.
 
     Raises:
         OSError: if the file cannot be written.
     """
-    results, settings = StudyResults(table, tuple(teachers)), dict(properties)
     results = results.among(results.taught)
     versions = package_versions()
     identity, blueprint = _identity(results, settings), study_blueprint(results)
@@ -105,8 +99,8 @@ def write_study_recording(
 def log_study_properties(
     stream: rr.RecordingStream,
     results: StudyResults,
-    settings: dict[str, Any],
-    versions: dict[str, str],
+    settings: Mapping[str, Any],
+    versions: Mapping[str, str],
 ) -> None:
     """Name the recording and say what is needed to make it again."""
     stream.send_recording_name(
@@ -140,19 +134,15 @@ def log_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teac
             fits: dict[str, Any] = {
                 column: np.concatenate([_numbers(column, row[column]) for row in rows])
                 for column, first in rows[0].items()
-                if column not in NAMED and first is not None
+                if column not in _NAMED and first is not None
             }
             stream.log(entities.fits(teacher.name, learner), rr.AnyValues(**fits))
-            curves = {column: results.curve(column, teacher, learner) for column in CURVE_COLUMNS}
             spreads: dict[str, Any] = {
                 column: np.array(sides(spread)).ravel()
-                for column, curve in curves.items()
-                if curve and (spread := curve.at(pairs))
+                for column in CURVE_COLUMNS
+                if (spread := results.spread(column, teacher, learner, pairs))
             }
             stream.log(entities.curves(teacher.name, learner), rr.AnyValues(**spreads))
-
-
-_WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")
 
 
 def _numbers(column: str, given: Any) -> NDArray[Any]:
@@ -162,7 +152,7 @@ def _numbers(column: str, given: Any) -> NDArray[Any]:
     return np.atleast_1d(np.array(given, dtype=np.int64 if column in _WHOLE else np.float64))
 
 
-def _identity(results: StudyResults, settings: dict[str, Any]) -> str:
+def _identity(results: StudyResults, settings: Mapping[str, Any]) -> str:
     """An id that is the same for the same study: opened twice, it is one recording."""
     made_of = (
         [teacher.description() for teacher in results.teachers],

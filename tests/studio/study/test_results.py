@@ -5,7 +5,7 @@ import pyarrow as pa
 import pytest
 
 from learners import TEACHERS, paired_differences
-from studio.study.results import StudyResults
+from studio.study.results import Stage, StudyResults
 from tests.studio.study.tables import THREE, study_table
 
 SIZES = (25, 200, 2000)
@@ -25,7 +25,7 @@ def test_fits_come_by_seed(results: StudyResults) -> None:
 
 def test_a_stage_knows_what_was_found_by_its_time(results: StudyResults) -> None:
     assert [stage.sizes for stage in results.stages] == [SIZES[:1], SIZES[:2], SIZES]
-    stage = results.up_to(199)
+    stage = Stage(results, 199)
     assert stage.sizes == SIZES[:1]
     assert {fit["pairs"] for fit in stage.fits} == {25}
     assert stage.largest(TEACHERS["eu"], "eu") == results.fits_of(TEACHERS["eu"], "eu", 25)
@@ -63,6 +63,6 @@ def test_differences_are_those_of_the_learners(results: StudyResults) -> None:
     found = results.difference(TEACHERS["tk"], "cpt", "eu", 200)
     [paired] = [each for each in paired_differences(results.table) if each.teacher == "tk"]
     assert found is not None
-    assert (found.runs, found.mean) == (3, paired.difference[1])
+    assert (found.runs, found.difference) == (3, paired.difference[1])
     assert (found.low, found.high, found.ratio) == (paired.low[1], paired.high[1], paired.ratio[1])
     assert results.difference(TEACHERS["tk"], "cpt", "eu", 201) is None

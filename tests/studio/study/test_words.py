@@ -11,7 +11,9 @@ def test_the_best_learner_is_told_and_how_sure_that_is() -> None:
     found = results.difference(TK, "cpt", "eu", 2000)
     assert found is not None
     assert found.low > 0.0
-    said = f"by {found.mean:.2f} percentage points (95 %: {found.low:.2f} to {found.high:.2f})."
+    said = (
+        f"by {found.difference:.2f} percentage points (95 %: {found.low:.2f} to {found.high:.2f})."
+    )
     assert lesson(results, TK) == f"The EU learner has less regret than the CPT learner, {said}"
     one_seed = lesson(StudyResults(study_table(seeds=1), THREE), TK)
     assert "in the one seed, by" in one_seed

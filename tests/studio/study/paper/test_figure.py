@@ -11,7 +11,6 @@ from xml.etree import ElementTree
 
 import matplotlib as mpl
 import numpy as np
-import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
@@ -33,32 +32,22 @@ from tests.studio.study.tables import THREE, study_table
 
 COLUMN = 89.0 / 25.4 * 72.0  # pt
 SIZES = (25, 50, 100, 200, 500, 1000, 2000)
-Case = tuple[pa.Table, Sequence[Teacher]]
 
 
 def case(
-    teachers: Sequence[Teacher] = THREE,
+    teachers: tuple[Teacher, ...] = THREE,
     learners: Sequence[str] = ("eu", "cpt"),
     sizes: Sequence[int] = SIZES,
     seeds: int = 3,
     **columns: Any,
-) -> Case:
-    """A study's table, and the teachers."""
+) -> StudyResults:
     known = {"certainty": 0.82} | columns
-    return study_table(teachers, learners, sizes, seeds, **known), teachers
+    return StudyResults(study_table(teachers, learners, sizes, seeds, **known), teachers)
 
 
-def figure_of(table: pa.Table, teachers: Sequence[Teacher]) -> Figure:
-    return compose_paper_figure(StudyResults(table, tuple(teachers)))
-
-
-def caption_of(table: pa.Table, teachers: Sequence[Teacher]) -> str:
-    return paper_caption(StudyResults(table, tuple(teachers)))
-
-
-def without_the_end(rows: int) -> Case:
-    table, teachers = case()
-    return table.slice(0, table.num_rows - rows), teachers
+def without_the_end(rows: int) -> StudyResults:
+    table = case().table
+    return StudyResults(table.slice(0, table.num_rows - rows), THREE)
 
 
 OWN = tuple(
@@ -69,7 +58,7 @@ ODD = Teacher("50$ & <more>$ 慎重\n\x01", PROFILES["strong"])
 EVERYBODY = ("eu", "cpt", "cpt-tied", "cpt-reference", "cpt-tied-reference")
 WORDY = ("eu", "a-learner-of-my-own-whose-name-is-too-long-for-a-column")
 
-CASES: dict[str, Callable[[], Case]] = {
+CASES: dict[str, Callable[[], StudyResults]] = {
     "three teachers": case,
     "one teacher": lambda: case(THREE[:1]),
     "two teachers": lambda: case(THREE[:2]),
@@ -85,7 +74,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "most sizes missing": lambda: without_the_end(80),
     "some seeds missing": lambda: without_the_end(8),
     "nobody fitted": lambda: without_the_end(126),
-    "one teacher fitted": lambda: (case(THREE[:1])[0], THREE),
+    "one teacher fitted": lambda: StudyResults(case(THREE[:1]).table, THREE),
     "no regret": lambda: case(regret_percent=0.0),
     "huge regret": lambda: case(regret_percent=123456.7),
     "tiny regret": lambda: case(regret_percent=1.5e-7),
@@ -128,7 +117,7 @@ def pixels_of(figure: Figure) -> np.ndarray[Any, Any]:
 @pytest.mark.filterwarnings("ignore:Glyph")  # texts are measured outside of the settings
 @pytest.mark.parametrize("name", CASES)
 def test_texts_can_be_read_and_stay_on_the_page_and_off_one_another(name: str) -> None:
-    figure = figure_of(*CASES[name]())
+    figure = compose_paper_figure(CASES[name]())
     placed = placed_texts(figure)
     width, height = 72.0 * figure.get_size_inches()
     assert width == pytest.approx(COLUMN)
@@ -143,17 +132,17 @@ def test_texts_can_be_read_and_stay_on_the_page_and_off_one_another(name: str) -
 
 
 def test_six_teachers_fit_on_a_page() -> None:
-    figure = figure_of(*CASES["six teachers"]())
+    figure = compose_paper_figure(CASES["six teachers"]())
     assert figure.get_size_inches()[1] * 25.4 < 200.0
 
 
 @pytest.mark.parametrize("name", ["three teachers", "one fit", "one size", "many sizes"])
 def test_every_learner_has_marks_of_its_colour_in_every_panel(name: str) -> None:
-    table, teachers = CASES[name]()
-    figure = figure_of(table, teachers)
+    results = CASES[name]()
+    figure = compose_paper_figure(results)
     pixels = pixels_of(figure)
-    assert len(figure.axes) == len(teachers)
-    for axes, learner in itertools.product(figure.axes, set(table["learner"].to_pylist())):
+    assert len(figure.axes) == len(results.teachers)
+    for axes, learner in itertools.product(figure.axes, results.learners):
         box = axes.bbox
         panel = pixels[len(pixels) - int(box.y1) : len(pixels) - int(box.y0)]
         panel = panel[:, int(box.x0) : int(box.x1)]
@@ -161,29 +150,29 @@ def test_every_learner_has_marks_of_its_colour_in_every_panel(name: str) -> None
 
 
 def test_learners_differ_without_their_colours() -> None:
-    figure = figure_of(*CASES["five learners"]())
+    figure = compose_paper_figure(CASES["five learners"]())
     samples = [artist for artist in figure.artists if isinstance(artist, Line2D)]
     assert len(samples) == 3 * len(EVERYBODY)
     assert len({line.get_marker() for line in samples}) == len(EVERYBODY)
 
 
 def test_panels_and_lines_are_named() -> None:
-    texts = said(figure_of(*case()))
+    texts = said(compose_paper_figure(case()))
     for title in ("(a) EU teacher", "(b) T&K teacher", "(c) Strong teacher"):
         assert texts.count(title) == 1
     assert texts.count("CPT") == texts.count("EU") == 3
     assert "α 0.88  η 0.88  λ 2.25  γ 0.61  δ 0.69" in texts
     assert texts.count("2000") == 1
-    assert "Strong teacher" in said(figure_of(*case((TEACHERS["strong"],))))
+    assert "Strong teacher" in said(compose_paper_figure(case((TEACHERS["strong"],))))
 
 
 def test_no_regret_has_a_place_on_the_axis_where_there_is_some() -> None:
-    assert "0" not in said(figure_of(*case()))
-    assert "0" in said(figure_of(*case(regret_percent=0.0)))
+    assert "0" not in said(compose_paper_figure(case()))
+    assert "0" in said(compose_paper_figure(case(regret_percent=0.0)))
 
 
 def test_the_caption_says_what_a_reader_needs_to_know() -> None:
-    caption = caption_of(*case())
+    caption = paper_caption(case())
     assert "\n" not in caption
     for part in (
         "25 to 2000 preference pairs",
@@ -194,10 +183,10 @@ def test_the_caption_says_what_a_reader_needs_to_know() -> None:
     ):
         assert part in caption
     assert "converge" not in caption
-    assert "126 of 126 fits did not converge" in caption_of(*case(converged=False))
-    assert "interval" not in caption_of(*case(seeds=1))
-    assert "1 to 3 seeds" in caption_of(*without_the_end(8))
-    assert "no fits" in caption_of(*without_the_end(126))
+    assert "126 of 126 fits did not converge" in paper_caption(case(converged=False))
+    assert "interval" not in paper_caption(case(seeds=1))
+    assert "1 to 3 seeds" in paper_caption(without_the_end(8))
+    assert "no fits" in paper_caption(without_the_end(126))
 
 
 def pdf_text(text: str) -> bytes:
@@ -207,7 +196,7 @@ def pdf_text(text: str) -> bytes:
 @pytest.mark.parametrize("name", ["three teachers", "odd names"])
 def test_a_pdf_is_one_column_wide_and_brings_its_fonts(name: str, tmp_path: Path) -> None:
     path = tmp_path / "curves.pdf"
-    write_paper_figure(path, *CASES[name]())
+    write_paper_figure(path, CASES[name]())
     data = path.read_bytes()
     assert data.startswith(b"%PDF")
     [box] = re.findall(rb"/MediaBox \[ 0 0 (\S+) \S+ \]", data)
@@ -220,19 +209,19 @@ def test_a_pdf_is_one_column_wide_and_brings_its_fonts(name: str, tmp_path: Path
 
 def test_a_pdf_holds_its_caption(tmp_path: Path) -> None:
     path = tmp_path / "curves.PDF"
-    write_paper_figure(path, *case())
-    assert pdf_text(caption_of(*case())) in path.read_bytes()
+    write_paper_figure(path, case())
+    assert pdf_text(paper_caption(case())) in path.read_bytes()
 
 
 @pytest.mark.parametrize("name", ["three teachers", "odd names"])
 def test_an_svg_is_one_column_wide_and_holds_its_caption(name: str, tmp_path: Path) -> None:
     path = tmp_path / "curves.svg"
-    table, teachers = CASES[name]()
-    write_paper_figure(path, table, teachers)
+    results = CASES[name]()
+    write_paper_figure(path, results)
     root = ElementTree.parse(path).getroot()
     assert root.attrib["width"].endswith("pt")
     assert float(root.attrib["width"][:-2]) == pytest.approx(COLUMN, abs=0.01)
-    assert caption_of(table, teachers) in [element.text for element in root.iter()]
+    assert paper_caption(results) in [element.text for element in root.iter()]
     tags = {element.tag.rpartition("}")[2] for element in root.iter()}
     assert "text" not in tags  # letters are outlines
     assert "date" not in tags
@@ -240,18 +229,20 @@ def test_an_svg_is_one_column_wide_and_holds_its_caption(name: str, tmp_path: Pa
 
 @pytest.mark.parametrize("suffix", [".pdf", ".svg"])
 def test_the_same_table_gives_the_same_bytes(suffix: str, tmp_path: Path) -> None:
-    table, teachers = case()
-    pq.write_table(table, tmp_path / "table.parquet")
+    results = case()
+    pq.write_table(results.table, tmp_path / "table.parquet")
     here, there = tmp_path / f"here{suffix}", tmp_path / f"there{suffix}"
     with mpl.rc_context({"font.size": 20.0, "lines.linewidth": 9.0, "pdf.fonttype": 3}):
         mine = dict(mpl.rcParams)
-        write_paper_figure(here, table, teachers)
+        write_paper_figure(here, results)
         assert dict(mpl.rcParams) == mine
     script = (
         "import sys; from pathlib import Path; import pyarrow.parquet as pq\n"
         "from learners import TEACHERS\n"
         "from studio.study.paper.figure import write_paper_figure\n"
-        "write_paper_figure(Path(sys.argv[2]), pq.read_table(sys.argv[1]), [*TEACHERS.values()])\n"
+        "from studio.study.results import StudyResults\n"
+        "results = StudyResults(pq.read_table(sys.argv[1]), tuple(TEACHERS.values()))\n"
+        "write_paper_figure(Path(sys.argv[2]), results)\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
     )
     subprocess.run([sys.executable, "-c", script, tmp_path / "table.parquet", there], check=True)

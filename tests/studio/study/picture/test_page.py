@@ -11,7 +11,8 @@ from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.study.picture.film import compose_study_film
 from studio.study.picture.page import compose_study_picture, draw_stage, lay_out_study
-from studio.study.results import StudyResults
+from studio.study.picture.scales import Scales
+from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
 from tests.studio.study.tables import THREE, study_table
 
@@ -19,7 +20,10 @@ SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (240
 
 
 def case(teachers=THREE, **options):
-    return study_table(teachers, **options), teachers
+    return StudyResults(study_table(teachers, **options), teachers)
+
+
+NOTHING = StudyResults(study_table().slice(0, 0), THREE)
 
 
 OWN = tuple(
@@ -40,8 +44,8 @@ CASES = {
     "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
     "huge regret": lambda: case(regret_percent=12345.6),
     "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=1),
-    "nothing fitted": lambda: (study_table().slice(0, 0), THREE),
-    "one teacher fitted": lambda: (study_table((TEACHERS["eu"],)), THREE),
+    "nothing fitted": lambda: NOTHING,
+    "one teacher fitted": lambda: StudyResults(study_table((TEACHERS["eu"],)), THREE),
     "nothing converged": lambda: case(converged=False),
     "nothing known": lambda: case(
         **dict.fromkeys(PARAMETER_COLUMNS),
@@ -74,7 +78,7 @@ def pages():
 
 @pytest.mark.parametrize(("name", "size", "theme"), [*pages()])
 def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
-    canvas = compose_study_picture(*CASES[name](), size, THEMES[theme])
+    canvas = compose_study_picture(CASES[name](), size, THEMES[theme])
     assert len(canvas.texts) > 5
     for text in canvas.texts:
         assert canvas.box.contains(text.box), text
@@ -85,24 +89,24 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_png_has_the_size_asked_for_and_shows_something(tmp_path, size):
     path = tmp_path / "learning.png"
-    compose_study_picture(*case(), size).save(path)
+    compose_study_picture(case(), size).save(path)
     pixels = cv2.imread(str(path))
     assert pixels.shape == (size[1], size[0], 3)
     assert 0.2 < (pixels == LIGHT.ground).all(axis=-1).mean() < 0.9
 
 
 def test_every_learner_has_its_colour_and_none_that_of_contact():
-    pixels = compose_study_picture(*case(learners=("eu", "cpt", "cpt-tied"))).pixels
+    pixels = compose_study_picture(case(learners=("eu", "cpt", "cpt-tied"))).pixels
     for learner in ("eu", "cpt", "cpt-tied"):
         assert has_colour(pixels, LEARNER_COLOURS[learner])
     assert not has_colour(pixels, LIGHT.contact)
     assert not has_colour(
-        compose_study_picture(*case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
+        compose_study_picture(case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
     )
 
 
 def test_the_page_says_what_was_studied_and_names_lines_beside_them():
-    texts = texts_of(compose_study_picture(*case()))
+    texts = texts_of(compose_study_picture(case()))
     assert any(
         all(
             part in text
@@ -123,67 +127,71 @@ def test_the_page_says_what_was_studied_and_names_lines_beside_them():
 
 
 def test_the_page_says_what_bands_are_where_there_are_some():
-    said = " ".join(texts_of(compose_study_picture(*case())))
+    said = " ".join(texts_of(compose_study_picture(case())))
     assert "95 % bootstrap interval" in said
-    assert "interval" not in " ".join(texts_of(compose_study_picture(*case(seeds=1))))
+    assert "interval" not in " ".join(texts_of(compose_study_picture(case(seeds=1))))
 
 
 def test_the_page_says_what_is_short_for_what():
-    said = " ".join(texts_of(compose_study_picture(*case())))
+    said = " ".join(texts_of(compose_study_picture(case())))
     for words in ("cumulative prospect theory", "λ: loss aversion", "logarithmic", "% points"):
         assert words in said
-    plain = " ".join(texts_of(compose_study_picture(*case(learners=("eu",)))))
+    plain = " ".join(texts_of(compose_study_picture(case(learners=("eu",)))))
     assert "loss aversion" not in plain
 
 
 def test_every_number_of_pairs_is_named_below_the_regret():
-    texts = texts_of(compose_study_picture(*case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
+    texts = texts_of(compose_study_picture(case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
     assert texts.count("1000") >= 3
 
 
 def test_fits_that_did_not_converge_are_counted():
-    table, teachers = case()
+    table = case().table
     converged = [index % 9 != 0 for index in range(table.num_rows)]
     place = table.column_names.index("converged")
-    some = table.set_column(place, "converged", pa.array(converged))
-    assert "6 did not converge" in " ".join(texts_of(compose_study_picture(some, teachers)))
-    assert "all converged" in " ".join(texts_of(compose_study_picture(table, teachers)))
+    some = StudyResults(table.set_column(place, "converged", pa.array(converged)), THREE)
+    assert "6 did not converge" in " ".join(texts_of(compose_study_picture(some)))
+    assert "all converged" in " ".join(texts_of(compose_study_picture(case())))
 
 
 def test_the_largest_size_is_compared_in_words():
-    texts = " ".join(texts_of(compose_study_picture(*case())))
+    texts = " ".join(texts_of(compose_study_picture(case())))
     assert texts.count("CPT's regret is") == 3
-    assert "regret is" not in " ".join(texts_of(compose_study_picture(*case(learners=("cpt",)))))
+    assert "regret is" not in " ".join(texts_of(compose_study_picture(case(learners=("cpt",)))))
 
 
 def test_zero_regret_has_a_place_of_its_own_on_the_logarithmic_axis():
-    assert "EU 0 %" not in texts_of(compose_study_picture(*case()))
-    canvas = compose_study_picture(*case(regret_percent=0.0))
+    assert "EU 0 %" not in texts_of(compose_study_picture(case()))
+    canvas = compose_study_picture(case(regret_percent=0.0))
     assert "EU 0 %" in texts_of(canvas)
     assert "CPT 0 %" in texts_of(canvas)
 
 
+def test_without_fits_the_axis_of_regret_is_that_around_one_percent():
+    assert Scales.around(NOTHING).regret == pytest.approx((2.0 / 3.0, 12.0))
+
+
 def test_shapes_are_shown_only_if_somebody_learnt_them():
-    assert "Weight of losses" in texts_of(compose_study_picture(*case()))
-    assert "Weight of losses" not in texts_of(compose_study_picture(*case(learners=("eu",))))
+    assert "Weight of losses" in texts_of(compose_study_picture(case()))
+    assert "Weight of losses" not in texts_of(compose_study_picture(case(learners=("eu",))))
 
 
 def test_of_too_many_teachers_it_says_how_many_are_shown():
-    assert any("4 of 6 teachers" in text for text in texts_of(compose_study_picture(*case(OWN))))
+    assert any("4 of 6 teachers" in text for text in texts_of(compose_study_picture(case(OWN))))
 
 
 def test_the_same_table_gives_the_same_picture_in_silence():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        first, second = (compose_study_picture(*case()).pixels for _ in range(2))
+        first, second = (compose_study_picture(case()).pixels for _ in range(2))
     assert np.array_equal(first, second)
 
 
 def test_what_cannot_be_drawn_or_written_is_refused_in_one_line(tmp_path):
     with pytest.raises(InputError, match="size: 320x200"):
-        compose_study_picture(*case(), (320, 200))
+        compose_study_picture(case(), (320, 200))
     with pytest.raises(FileNotFoundError):
-        compose_study_picture(*case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
+        compose_study_picture(case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
 
 
 # The film
@@ -200,7 +208,7 @@ def incomplete():
     kept = [
         row["pairs"] < 2000 or (row["teacher"], row["learner"]) == ("tk", "cpt") for row in rows
     ]
-    return table.filter(kept), THREE
+    return StudyResults(table.filter(kept), THREE)
 
 
 FILMED = {
@@ -214,25 +222,25 @@ FILMED = {
 }
 
 
-def frames_of(table, teachers, **options):
-    segments = compose_study_film(table, teachers, FILM_SIZE, FRAMES_PER_SECOND, **options)
+def frames_of(results, **options):
+    segments = compose_study_film(results, FILM_SIZE, FRAMES_PER_SECOND, **options)
     return [[frame.copy() for frame in segment.frames()] for segment in segments], segments
 
 
-def page_at(table, teachers, pairs):
-    page = lay_out_study(StudyResults(table, teachers), (1600, 1000), LIGHT)
-    return draw_stage(page, page.results.up_to(pairs))
+def page_at(results, pairs):
+    page = lay_out_study(results, (1600, 1000), LIGHT)
+    return draw_stage(page, Stage(page.results, pairs))
 
 
-def texts_at(table, teachers, pairs):
-    return texts_of(page_at(table, teachers, pairs))
+def texts_at(results, pairs):
+    return texts_of(page_at(results, pairs))
 
 
 @pytest.mark.parametrize("name", FILMED)
 def test_the_film_stands_at_every_number_of_pairs_and_ends_with_the_picture(name):
-    table, teachers = FILMED[name]()
-    drawn, segments = frames_of(table, teachers)
-    sizes = sorted(set(table["pairs"].to_pylist()))
+    results = FILMED[name]()
+    drawn, segments = frames_of(results)
+    sizes = results.sizes
     lengths = [*[STANDING] * (len(sizes) - 1), ENDING]
     assert [len(frames) for frames in drawn] == lengths
     assert [segment.length for segment in segments] == lengths
@@ -240,22 +248,20 @@ def test_the_film_stands_at_every_number_of_pairs_and_ends_with_the_picture(name
         assert all(np.array_equal(frame, frames[0]) for frame in frames)
     for before, after in itertools.pairwise(drawn):
         assert not np.array_equal(before[0], after[0])
-    assert np.array_equal(drawn[-1][-1], compose_study_picture(table, teachers, FILM_SIZE).pixels)
+    assert np.array_equal(drawn[-1][-1], compose_study_picture(results, FILM_SIZE).pixels)
 
 
 def test_a_study_without_fits_has_a_film_too():
-    drawn, _ = frames_of(study_table().slice(0, 0), THREE)
+    drawn, _ = frames_of(NOTHING)
     assert len(drawn) == 1
-    assert np.array_equal(
-        drawn[0][-1], compose_study_picture(study_table().slice(0, 0), THREE, FILM_SIZE).pixels
-    )
+    assert np.array_equal(drawn[0][-1], compose_study_picture(NOTHING, FILM_SIZE).pixels)
 
 
 def test_a_later_page_has_the_axes_of_an_earlier_one():
     early, late = (
         {
             placed
-            for placed in page_at(*case(), pairs).texts
+            for placed in page_at(case(), pairs).texts
             if placed.text.isdigit() or placed.text in ("0.1", "0.5", "−0.5", "predicted")
         }
         for pairs in (25, 2000)
@@ -265,26 +271,26 @@ def test_a_later_page_has_the_axes_of_an_earlier_one():
 
 
 def test_every_page_says_how_many_pairs_and_what_was_found_out_from_them():
-    table, teachers = case()
+    results = case()
     for pairs in (25, 200, 2000):
-        texts = texts_at(table, teachers, pairs)
+        texts = texts_at(results, pairs)
         assert f"{pairs} pairs" in texts
         assert f"Reward and parameters at {pairs} pairs" in " ".join(texts)
         assert sum("CPT's regret is" in text for text in texts) == 3
-    before, after = (texts_at(table, teachers, pairs) for pairs in (199, 200))
+    before, after = (texts_at(results, pairs) for pairs in (199, 200))
     assert "25 pairs" in before
     assert "200 pairs" in after
 
 
 def test_what_a_study_lacks_is_not_told_before_its_time():
-    table, teachers = incomplete()
-    assert texts_at(table, teachers, 200).count("no fits yet") == 1
-    assert not any("regret is" in text for text in texts_at(table, teachers, 2000))
+    results = incomplete()
+    assert texts_at(results, 200).count("no fits yet") == 1
+    assert not any("regret is" in text for text in texts_at(results, 2000))
 
 
 @pytest.mark.parametrize("name", FILMED)
 def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(name):
-    page = lay_out_study(StudyResults(*FILMED[name]()), (640, 360), LIGHT)
+    page = lay_out_study(FILMED[name](), (640, 360), LIGHT)
     for stage in page.results.stages:
         canvas = draw_stage(page, stage)
         for text in canvas.texts:
@@ -294,12 +300,12 @@ def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(nam
 
 
 def test_a_film_has_its_theme():
-    drawn, _ = frames_of(*case(sizes=(25,)), theme=DARK)
+    drawn, _ = frames_of(case(sizes=(25,)), theme=DARK)
     assert tuple(drawn[0][0][0, 0]) == DARK.ground
 
 
 @pytest.mark.parametrize("size", [(641, 400), (320, 200)])
 def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size, tmp_path):
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
-        write_mp4(tmp_path / "film.mp4", compose_study_film(*case(), size), size, 30)
+        write_mp4(tmp_path / "film.mp4", compose_study_film(case(), size), size, 30)
     assert "\n" not in str(error.value)

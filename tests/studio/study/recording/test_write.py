@@ -62,7 +62,7 @@ def table() -> pa.Table:
 @pytest.fixture(scope="module")
 def recording(table: pa.Table, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "learning.rrd"
-    write_study_recording(path, table, tuple(TEACHERS.values()), SETTINGS, LINKS)
+    write_study_recording(path, StudyResults(table, tuple(TEACHERS.values())), SETTINGS, LINKS)
     return path
 
 
@@ -203,7 +203,7 @@ def test_the_page_of_scenes_tells_of_those_that_differ_most(
 
 
 def test_without_recordings_of_scenes_the_page_says_so(table: pa.Table, tmp_path: Path) -> None:
-    write_study_recording(tmp_path / "test.rrd", table, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", StudyResults(table, PAIR), {})
     for (text,) in read(tmp_path / "test.rrd")["/scenes"]["TextDocument:text"]:
         assert "These scenes have no recordings" in text
         assert "](" not in text
@@ -213,7 +213,7 @@ def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
     table: pa.Table, tmp_path: Path
 ) -> None:
     bare = table.replace_schema_metadata(None)
-    write_study_recording(tmp_path / "test.rrd", bare, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", StudyResults(bare, PAIR), {})
     entities = read(tmp_path / "test.rrd")
     assert "/scenes" not in entities
     assert not [entity for entity in entities if "families" in entity]
@@ -305,7 +305,8 @@ def test_the_page_tells_the_command_and_all_settings(recording: Path) -> None:
 def test_teachers_of_ones_own_are_part_of_the_command(tmp_path: Path) -> None:
     own = Teacher("cautious", CptParameters(0.9, 0.9, 9.0, 0.6, 0.7), beta=5.0)
     path = tmp_path / "own.rrd"
-    write_study_recording(path, study_table([own], ["cpt"]), [own], {})
+    results = StudyResults(study_table([own], ["cpt"]), (own,))
+    write_study_recording(path, results, {})
     (row,) = read(path)["/__properties/study"]["command"]
     assert "--profile cautious=0.9,0.9,9,0.6,0.7 --beta 5 --learners cpt" in row[0]
 
@@ -412,7 +413,7 @@ def test_unusual_studies_can_be_written(
     table: pa.Table, teachers: Sequence[Teacher], tmp_path: Path
 ) -> None:
     path = tmp_path / "unusual.rrd"
-    write_study_recording(path, table, teachers, {})
+    write_study_recording(path, StudyResults(table, tuple(teachers)), {})
     assert sum(entity.endswith("/regret") for entity in read(path)) == len(teachers)
 
 
@@ -423,19 +424,19 @@ def test_regrets_of_any_size_are_drawn(regret: float, tmp_path: Path) -> None:
     table = table.set_column(
         place, STUDY_SCHEMA.field("regret_percent"), pa.array([regret] * table.num_rows)
     )
-    write_study_recording(tmp_path / "test.rrd", table, PAIR, {})
+    write_study_recording(tmp_path / "test.rrd", StudyResults(table, PAIR), {})
     strips = read(tmp_path / "test.rrd")["/figures/eu/regret"]["LineStrips2D:strips"][0]
     assert np.isfinite(np.concatenate(strips)).all()
 
 
 def test_a_teacher_who_wants_nothing_can_be_written(tmp_path: Path) -> None:
     idle = Teacher("idle", TEACHERS["tk"].parameters, reward=(0.0,) * 5)
-    write_study_recording(tmp_path / "test.rrd", study_table([idle]), [idle], {})
+    write_study_recording(tmp_path / "test.rrd", StudyResults(study_table([idle]), (idle,)), {})
 
 
 def test_a_full_disk_is_an_error_and_not_a_file_cut_short(table: pa.Table) -> None:
     with pytest.raises(OSError, match="No space left"):
-        write_study_recording(Path("/dev/full"), table, PAIR, {})
+        write_study_recording(Path("/dev/full"), StudyResults(table, PAIR), {})
 
 
 def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
@@ -444,7 +445,7 @@ def test_what_cannot_be_logged_is_an_error_even_if_rerun_is_lenient(
     rr.set_strict_mode(False)
     settings: Any = {"unloggable": object()}
     with pytest.raises(ValueError, match="arrow"):
-        write_study_recording(tmp_path / "learning.rrd", table, PAIR, settings)
+        write_study_recording(tmp_path / "learning.rrd", StudyResults(table, PAIR), settings)
 
 
 @pytest.mark.parametrize("lowest", [0.0, 0.57, 0.74, 0.9, 0.999, 1.0])
