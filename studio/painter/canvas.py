@@ -283,6 +283,21 @@ class Canvas:
         self.texts.append(PlacedText(text, box))
         return box
 
+    def fit(
+        self,
+        at: Point,
+        wordings: str | Sequence[str],
+        room: float,
+        size: int,
+        colour: Colour,
+        weight: int = REGULAR,
+        anchor: str = "left",
+        line: str = "middle",
+    ) -> Box:
+        """Set the first wording that is no wider than the room (px), else as `text` does."""
+        fitting = self.fitted(wordings, room, size, weight)
+        return self.text(at, fitting, size, colour, weight, anchor, line)
+
     def _rim(self, origin: tuple[int, int], text: str, size: int, weight: int, rim: Colour) -> None:
         x, y = origin
         reach = max(2, round(size * 0.16))

@@ -89,6 +89,10 @@ class Theme:
             colour = darkened if darkened != colour else self.ink
         return colour
 
+    def ink_on(self, colour: Colour) -> Colour:
+        """That of the ground's and the text's colour which is read more easily on this one."""
+        return max(self.ground, self.ink, key=lambda ink: contrast(ink, colour))
+
 
 LIGHT = Theme(
     ground=(255, 255, 255),
