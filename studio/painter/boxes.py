@@ -77,15 +77,10 @@ def _cuts(
 
 
 def check_size(size: tuple[int, int], smallest: tuple[int, int], largest: int) -> None:
-    """Refuse pages and frames that are too small or too large.
-
-    Args:
-        size: width and height, px.
-        smallest: least width and least height, px.
-        largest: longest side, px.
+    """Refuse pages and frames whose width or height (px) is too small or too large.
 
     Raises:
-        InputError: if a side is too short or too long.
+        InputError: if a side is shorter than in the smallest size, or longer than `largest`.
     """
     (width, height), (least_width, least_height) = size, smallest
     if not (least_width <= width <= largest and least_height <= height <= largest):
