@@ -107,8 +107,7 @@ def labels_below(
 ) -> Box | None:
     """Write ascending values under a plot, the ends first, then what there is room for.
 
-    A value lies `at` so many pixels. Where there is room in the middle, `more` words say what the
-    values are.
+    A value lies at `at(value)`, px. In the middle, if there is room, `more` says what values are.
 
     Returns:
         The box of the rightmost label.

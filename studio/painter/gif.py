@@ -18,11 +18,8 @@ from studio.arrays import PixelArray
 from studio.painter.boxes import check_size
 from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
 
-LARGEST_GIF_SIDE = 1920
-"""Of a frame, px."""
-
-MOST_GIF_FRAMES = 50
-"""A second; browsers slow GIFs down that ask for more."""
+_LARGEST_SIDE = 1920  # of a frame, px
+_MOST_FRAMES = 50  # a second: browsers slow GIFs down that ask for more
 
 
 def write_gif(
@@ -48,8 +45,8 @@ def write_gif(
         InputError: if the size or the number of frames is not allowed.
         OSError: if the file cannot be written.
     """
-    check_size(size, SMALLEST_FRAME, LARGEST_GIF_SIDE)
-    check_rate(frames_per_second, MOST_GIF_FRAMES)
+    check_size(size, SMALLEST_FRAME, _LARGEST_SIDE)
+    check_rate(frames_per_second, _MOST_FRAMES)
     length = sum(segment.length for segment in segments)
 
     def told(before: int) -> Iterator[tuple[int, PixelArray]]:

@@ -109,8 +109,8 @@ def end_labels(
 ) -> None:
     """Write names beside the ends of lines, moved apart where they would touch.
 
-    Names begin at `left` (px) and stay in the column. A label is the height of its line's end (px),
-    wordings of the name, and the line's colour.
+    Names begin at `left` (px) and stay in the column. A label has the height of its line's end, px,
+    the wordings of the name, and the line's colour.
     """
     size = canvas.type.small
     step = 1.12 * size

@@ -11,17 +11,11 @@ from studio.painter.boxes import Box, Point
 
 @dataclass(frozen=True)
 class View:
-    """A map from metres (y up) to pixels (y down), with the same scale in x and y.
+    """A map from metres (y up) to pixels (y down), with the same scale in x and y."""
 
-    Attributes:
-        box: where on the page the map lies, px.
-        scale: px per m.
-        centre: what lies in the middle of the box (x, y), m.
-    """
-
-    box: Box
-    scale: float
-    centre: Point
+    box: Box  # where on the page the map lies, px
+    scale: float  # px per m
+    centre: Point  # what lies in the middle of the box (x, y), m
 
     @classmethod
     def around(cls, bounds: Bounds, box: Box) -> "View":
