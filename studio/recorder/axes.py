@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
 from studio.style.palette import LIGHT, Colour
-from studio.style.ticks import ratio_ticks
+from studio.style.ticks import round_numbers
 from studio.style.words import number
 
 LIFT = 0.03
@@ -114,10 +114,16 @@ def sizes_scale(sizes: Sequence[int]) -> Scale:
 
 
 def ratio_scale(
-    low: float, high: float, steps: Sequence[float] = (1.0, 3.0), unit: str = ""
+    low: float, high: float, digits: Sequence[float] = (1.0, 3.0), unit: str = ""
 ) -> Scale:
-    """A logarithmic scale from below `low` to above `high`, with ticks at steps times tens."""
-    ticks = tuple(ratio_ticks(low, high, steps))
+    """A logarithmic scale with at least two ticks at round numbers of these digits.
+
+    It reaches from the last such number up to `low` to the first one from `high` on.
+    """
+    numbers = round_numbers(low / 10.0, 100.0 * high, digits)
+    first = max(place for place, number in enumerate(numbers) if number <= low)
+    last = min(place for place, number in enumerate(numbers) if number >= high)
+    ticks = tuple(numbers[first : max(last, first + 1) + 1])
     return Scale(ticks, tuple(f"{number(tick)}{unit}" for tick in ticks), True)
 
 
