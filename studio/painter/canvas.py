@@ -35,9 +35,7 @@ from studio.painter.lettering import (
 from studio.painter.pixels import FARTHEST, SHIFT, disc_coverage, fixed_point, pen, tinted
 from studio.style.palette import Colour, Theme
 
-SMALLEST_SIZE, LARGEST_SIDE = (640, 360), 8192
-"""Of a canvas, px."""
-
+_SMALLEST_SIZE, _LARGEST_SIDE = (640, 360), 8192  # of a canvas, px
 _REFERENCE_WIDTH, _REFERENCE_HEIGHT = 1600, 900  # of the page whose unit is 1 px, px
 _MARGIN, _GAP = 36, 36  # around a page, and between its columns, in units of the page
 _TYPE_SIZES = (16, 18, 20, 34)  # in units of the page
@@ -63,7 +61,7 @@ class Canvas:
     """
 
     def __init__(self, width: int, height: int, theme: Theme) -> None:
-        check_size((width, height), SMALLEST_SIZE, LARGEST_SIDE)
+        check_size((width, height), _SMALLEST_SIZE, _LARGEST_SIDE)
         self.pixels: PixelArray = np.empty((height, width, 3), np.uint8)
         self.pixels[:] = theme.ground
         self.theme = theme
@@ -185,8 +183,7 @@ class Canvas:
     ) -> str:
         """The first candidate that is no wider than `width`; failing all, the last one cut short.
 
-        Returns:
-            The text, perhaps ending in an ellipsis; empty if not even one letter fits.
+        What is cut short ends in an ellipsis; it is empty if not even one letter fits.
         """
         options = [candidates] if isinstance(candidates, str) else candidates
         wordings = [printable(option) for option in options]

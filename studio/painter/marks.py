@@ -22,10 +22,7 @@ def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0)
 
 
 def icon_pitch(box: Box, count: int) -> float:
-    """Distance between the `count` icons of an array that fits into a box, px.
-
-    It is 0 where icons would be too small to tell apart.
-    """
+    """Distance between the `count` icons of an array in a box, px; 0 if they would be too small."""
     pitch = min(box.width / math.ceil(count / _ICON_ROWS), box.height / _ICON_ROWS)
     return pitch if pitch >= 3.0 else 0.0
 
@@ -64,18 +61,11 @@ def draw_histogram(
     colour: Colour,
     contact: BoolArray,
 ) -> None:
-    """Draw a histogram, scaled to its own peak, with what had contact red at the bottom.
+    """Draw a histogram of values [K], scaled to its own peak, as high as the box.
 
-    A dot marks the mean. A bin that holds anything is at least a sliver high: what is rare matters.
-
-    Args:
-        canvas: to draw on.
-        box: whose height the plot takes up, px.
-        axis: where values lie.
-        values: [K]; those off the axis count in its first or last bin.
-        edges: of the bins, [B + 1].
-        colour: of the bars.
-        contact: which of the values had contact, [K].
+    What had contact [K] is red at the bottom, and a dot marks the mean. A bin that holds anything
+    is at least a sliver high: what is rare matters. Values beyond the edges of the bins [B + 1]
+    count in the first or last bin.
     """
     inside = np.clip(values, edges[0], edges[-1])
     counts, touched = (np.histogram(some, edges)[0] for some in (inside, inside[contact]))

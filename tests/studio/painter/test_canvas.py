@@ -100,6 +100,8 @@ def test_text_is_cut_only_where_no_wording_fits():
     assert cut.endswith("…")
     assert cut.startswith("sh")
     assert canvas.fitted("anything", 2.0, 16) == ""
+    canvas.fit((10.0, 50.0), ["a long wording", "short"], 60.0, 16, BLACK)
+    assert canvas.texts[-1].text == "short"
 
 
 def test_names_are_cut_in_the_middle():
