@@ -36,15 +36,6 @@ class Box:
         """The box with every side moved in, or out if `by` is negative, px."""
         return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
 
-    def contains(self, other: "Box") -> bool:
-        """Whether the other box lies wholly inside."""
-        return (
-            self.left <= other.left
-            and self.top <= other.top
-            and other.right <= self.right
-            and other.bottom <= self.bottom
-        )
-
     def overlaps(self, other: "Box") -> bool:
         """Whether the two share more than an edge."""
         return (

@@ -231,9 +231,9 @@ class Canvas:
         """The box that a text would take up; the arguments are those of `text`."""
         width = self.measure(text, size, weight)
         left = round(at[0] - {"left": 0.0, "centre": 0.5, "right": 1.0}[anchor] * width)
-        below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT, "bottom": -DESCENT}
-        # lines set by their top or bottom must not reach over it by a rounding
-        to_pixel = {"top": math.ceil, "bottom": math.floor}.get(line, round)
+        below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT}
+        # a line set by its top must not reach over it by a rounding
+        to_pixel = math.ceil if line == "top" else round
         baseline = to_pixel(at[1] + below[line] * size)
         return Box(left, baseline - ASCENT * size, left + width, baseline + DESCENT * size)
 
@@ -258,7 +258,7 @@ class Canvas:
             weight: of type, 100 to 1000.
             anchor: which part of the text lies at x: `left`, `centre` or `right`.
             line: which part of it lies at y: its baseline (`base`), the middle of its capitals
-                (`middle`), the `top` or the `bottom` of its box.
+                (`middle`), or the `top` of its box.
             halo: colour of a rim around the letters that keeps them apart from what is below.
 
         Returns:

@@ -15,7 +15,7 @@ _ICON_ROWS = 5  # icons that stand one below the other in an icon array
 _BAND = 0.22  # how opaque a band is
 
 
-def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float = 4.0) -> None:
+def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float) -> None:
     """Draw a disc that a rim keeps apart from what is below; its radius grows with the page."""
     canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
     canvas.disc((x, y), radius * canvas.unit, colour)

@@ -1,6 +1,6 @@
 """Views: maps from metres to pixels."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -36,7 +36,3 @@ class View:
         away = np.asarray(points, dtype=np.float64)[..., :2] - np.array(self.centre)
         pixels: FloatArray = np.array(self.box.centre) + away * np.array([self.scale, -self.scale])
         return pixels
-
-    def within(self, box: Box) -> "View":
-        """The same scale and centre in another box."""
-        return replace(self, box=box)
