@@ -7,6 +7,7 @@ encodes.
 import io
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path
 from typing import cast
 
@@ -52,15 +53,13 @@ def write_gif(
     def told(before: int) -> Iterator[tuple[int, PixelArray]]:
         """All frames with their numbers, without those that look like the one before."""
         shown = np.empty((0, 0, 3), np.uint8)
-        index = 0
-        for segment in segments:
-            for pixels in segment.frames():
-                if not np.array_equal(pixels, shown):
-                    shown = pixels.copy()
-                    yield index, shown
-                index += 1
-                if progress is not None:
-                    progress(before + index, 2 * length)
+        frames = chain.from_iterable(segment.frames() for segment in segments)
+        for index, pixels in enumerate(frames):
+            if not np.array_equal(pixels, shown):
+                shown = pixels.copy()
+                yield index, shown
+            if progress is not None:
+                progress(before + index + 1, 2 * length)
 
     palette, last = _palette(told(0), size)
     held = round(100 * (length - last) / frames_per_second)
