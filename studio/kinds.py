@@ -39,18 +39,13 @@ class Kind(Protocol):
         """
 
 
-def find_kind(application: str) -> Kind:
-    """The kind of recording whose files bear this application id.
-
-    Raises:
-        KeyError: if there is none.
-    """
-    return cast(Kind, import_module(KINDS[application]))
+def _kind_in(module: str) -> Kind:
+    return cast(Kind, import_module(module))
 
 
 def spans() -> str:
     """What parts of recordings are counted in, all kinds in one line."""
-    return ", ".join(find_kind(application).SPAN for application in KINDS)
+    return ", ".join(_kind_in(module).SPAN for module in KINDS.values())
 
 
 def read_recording(path: Path) -> "Recording":
@@ -62,12 +57,13 @@ def read_recording(path: Path) -> "Recording":
     from studio.recorder.contents import read_contents
 
     contents = read_contents(path)
-    if contents.application not in KINDS:
+    home = KINDS.get(contents.application)
+    if home is None:
         raise InputError(
             f"{path}: is a recording of {contents.application!r}, not one of the studio"
         )
     try:
-        return find_kind(contents.application).read(contents)
+        return _kind_in(home).read(contents)
     except InputError:
         raise
     except (ValueError, TypeError, KeyError, IndexError) as error:

@@ -22,31 +22,22 @@ if TYPE_CHECKING:
 Size = tuple[int, int]
 """Width and height of a picture, px."""
 
-FILM_WIDTH, GIF_WIDTH = 1280, 960
-"""How wide films are unless one asks for a size; they are shaped like the still picture, px."""
-
-FORMATS = (".png", ".mp4", ".gif")
-"""Endings of the files that a recording can be painted into."""
+_WIDTHS = {".mp4": 1280, ".gif": 960}  # of films of which no size is asked for, px
+_ENDINGS = (".png", *_WIDTHS)  # of the files that a recording can be painted into
 
 
 @dataclass(frozen=True)
 class Look:
     """How pictures and films look.
 
-    Attributes:
-        size: width and height, px; left out, that which suits what is painted.
-        frames_per_second: of films.
-        theme: `light` or `dark`.
-        codec: of MP4 films, `h264` or `av1`.
-
     Raises:
         InputError: if there is no such theme or codec, or films cannot have this frame rate.
     """
 
-    size: Size | None = None
-    frames_per_second: int = 30
-    theme: str = "light"
-    codec: str = "h264"
+    size: Size | None = None  # if left out, the one that suits what is painted
+    frames_per_second: int = 30  # of films
+    theme: str = "light"  # or `dark`
+    codec: str = "h264"  # of MP4 films, or `av1`
 
     def __post_init__(self) -> None:
         from studio.painter.mp4 import MOST_FILM_FRAMES, check_codec
@@ -65,18 +56,14 @@ class Look:
 
 @dataclass(frozen=True)
 class Excerpt:
-    """Which part of a recording is shown.
+    """Which part of a recording is shown: all of it but for what is told.
 
-    Attributes:
-        actions: names of some actions of a scene; all of them if left out.
-        start: where it begins on the recording's own timeline, in the unit that its kind counts in;
-            at the beginning if left out.
-        end: where it ends on that timeline; at the end if left out.
+    A recording has a timeline of its own, in the unit that its kind counts in.
     """
 
-    actions: tuple[str, ...] = ()
-    start: float | None = None
-    end: float | None = None
+    actions: tuple[str, ...] = ()  # names of some actions of a scene
+    start: float | None = None  # where it begins on the timeline
+    end: float | None = None  # where it ends there
 
     def span(self, first: float, last: float) -> tuple[float, float]:
         """From where to where the excerpt goes on a timeline from `first` to `last`."""
@@ -141,13 +128,13 @@ def write_picture(
     _check_ending(path)
     if path.suffix == ".png":
         recording.still(look, excerpt).save(path)
-    elif path.suffix == ".mp4":
-        size = look.size or film_size(recording, FILM_WIDTH)
-        segments = recording.moving(size, look, excerpt)
+        return
+    size = look.size or _film_size(recording.size, _WIDTHS[path.suffix])
+    segments = recording.moving(size, look, excerpt)
+    if path.suffix == ".mp4":
         write_mp4(path, segments, size, rate, look.codec, progress)
     else:
-        size = look.size or film_size(recording, GIF_WIDTH)
-        write_gif(path, recording.moving(size, look, excerpt), size, rate, progress)
+        write_gif(path, segments, size, rate, progress)
 
 
 def check_files(paths: Sequence[Path], recording: Recording, excerpt: Excerpt) -> None:
@@ -169,12 +156,11 @@ def check_files(paths: Sequence[Path], recording: Recording, excerpt: Excerpt) -
         raise InputError("--from, --to: go with a film, a picture shows all of the time")
 
 
-def film_size(recording: Recording, width: int) -> Size:
+def _film_size(still: Size, width: int) -> Size:
     """Size of a film of this width that is shaped like the still picture, px, both even."""
-    still_width, still_height = recording.size
-    return width, 2 * round(width * still_height / still_width / 2)
+    return width, 2 * round(width * still[1] / still[0] / 2)
 
 
 def _check_ending(path: Path) -> None:
-    if path.suffix not in FORMATS:
-        raise InputError(f"{path}: is not allowed: a name that ends in {', '.join(FORMATS)}")
+    if path.suffix not in _ENDINGS:
+        raise InputError(f"{path}: is not allowed: a name that ends in {', '.join(_ENDINGS)}")

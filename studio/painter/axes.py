@@ -39,47 +39,26 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class LogAxis:
-    """A logarithmic axis that also has a place for 0.
+class LogAxis(Axis):
+    """A logarithmic axis of values above 0 that also has a place for 0."""
 
-    Attributes:
-        low: the smallest value above 0 that it shows.
-        high: the largest one.
-        start: where `low` lies, px.
-        end: where `high` lies, px.
-        zero: where 0 lies, px; the same as `start` if the axis shows no 0.
-    """
-
-    low: float
-    high: float
-    start: float
-    end: float
-    zero: float
+    zero: float  # where 0 lies, px; the same as `start` if the axis shows no 0
 
     def along(self, values: ArrayLike) -> FloatArray:
         """Where values lie, px; those off the axis lie at its end, and 0 and less at 0."""
         given = np.asarray(values, dtype=np.float64)
-        shares = np.log(np.clip(given, self.low, self.high) / self.low) / math.log(
-            self.high / self.low
-        )
+        away = np.log(np.clip(given, self.low, self.high) / self.low)
+        shares = away / math.log(self.high / self.low)
         pixels = self.start + shares * (self.end - self.start)
         placed: FloatArray = np.where(given > 0.0, pixels, self.zero)
         return placed
 
-    def at(self, value: float) -> float:
-        """Where a value lies, px."""
-        return float(self.along(value))
-
 
 def caption(canvas: Canvas, box: Box, wordings: str | Sequence[str]) -> Box:
-    """Write the name of a plot along the top of its box.
-
-    Returns:
-        What is left of the box.
-    """
+    """Write the name of a plot along the top of its box, and return what is left of the box."""
     size = canvas.type.small
-    text = canvas.fitted(wordings, box.width, size, SEMIBOLD)
-    canvas.text((box.left, box.top), text, size, canvas.theme.ink, SEMIBOLD, line="top")
+    at = (box.left, box.top)
+    canvas.fit(at, wordings, box.width, size, canvas.theme.ink, SEMIBOLD, line="top")
     return Box(box.left, box.top + 1.45 * size, box.right, box.bottom)
 
 
@@ -112,30 +91,23 @@ def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) 
 
     The outermost labels are pushed inwards to stay between the ends of the axis.
     """
-    size, gap = canvas.type.small, 5 * canvas.unit
+    size, gap, faint = canvas.type.small, 5 * canvas.unit, canvas.theme.faint
     right_of_last = -math.inf
     for value in values:
         text = number(value)
         half = canvas.measure(text, size) / 2
         centre = min(max(axis.at(value), axis.start + half), axis.end - half)
         if centre - half >= right_of_last + gap:
-            box = canvas.text(
-                (centre, top), text, size, canvas.theme.faint, anchor="centre", line="top"
-            )
+            box = canvas.text((centre, top), text, size, faint, anchor="centre", line="top")
             right_of_last = box.right
 
 
 def labels_below(
     canvas: Canvas, panel: Box, at: Callable[[float], float], values: Sequence[float], more: str
 ) -> Box | None:
-    """Write values under a plot, the ends first, then what there is room for.
+    """Write ascending values under a plot, the ends first, then what there is room for.
 
-    Args:
-        canvas: to draw on.
-        panel: of the plot.
-        at: where a value lies, px.
-        values: ascending.
-        more: words that say what the values are, written in the middle if there is room.
+    A value lies at `at(value)`, px. In the middle, if there is room, `more` says what values are.
 
     Returns:
         The box of the rightmost label.

@@ -36,15 +36,6 @@ class Box:
         """The box with every side moved in, or out if `by` is negative, px."""
         return Box(self.left + by, self.top + by, self.right - by, self.bottom - by)
 
-    def contains(self, other: "Box") -> bool:
-        """Whether the other box lies wholly inside."""
-        return (
-            self.left <= other.left
-            and self.top <= other.top
-            and other.right <= self.right
-            and other.bottom <= self.bottom
-        )
-
     def overlaps(self, other: "Box") -> bool:
         """Whether the two share more than an edge."""
         return (
@@ -77,15 +68,10 @@ def _cuts(
 
 
 def check_size(size: tuple[int, int], smallest: tuple[int, int], largest: int) -> None:
-    """Refuse pages and frames that are too small or too large.
-
-    Args:
-        size: width and height, px.
-        smallest: least width and least height, px.
-        largest: longest side, px.
+    """Refuse pages and frames whose width or height (px) is too small or too large.
 
     Raises:
-        InputError: if a side is too short or too long.
+        InputError: if a side is shorter than in the smallest size, or longer than `largest`.
     """
     (width, height), (least_width, least_height) = size, smallest
     if not (least_width <= width <= largest and least_height <= height <= largest):

@@ -35,13 +35,10 @@ from studio.painter.lettering import (
 from studio.painter.pixels import FARTHEST, SHIFT, disc_coverage, fixed_point, pen, tinted
 from studio.style.palette import Colour, Theme
 
-REFERENCE_WIDTH, REFERENCE_HEIGHT = 1600, 900
-SMALLEST_SIZE, LARGEST_SIDE = (640, 360), 8192
-"""Of a canvas, px."""
-
-MARGIN, GAP = 36, 36
-"""Around a page, and between its columns."""
-
+_SMALLEST_SIZE, _LARGEST_SIDE = (640, 360), 8192  # of a canvas, px
+_REFERENCE_WIDTH, _REFERENCE_HEIGHT = 1600, 900  # of the page whose unit is 1 px, px
+_MARGIN, _GAP = 36, 36  # around a page, and between its columns, in units of the page
+_TYPE_SIZES = (16, 18, 20, 34)  # in units of the page
 _SMALLEST_TYPE = 8  # px
 
 
@@ -64,16 +61,15 @@ class Canvas:
     """
 
     def __init__(self, width: int, height: int, theme: Theme) -> None:
-        check_size((width, height), SMALLEST_SIZE, LARGEST_SIDE)
+        check_size((width, height), _SMALLEST_SIZE, _LARGEST_SIDE)
         self.pixels: PixelArray = np.empty((height, width, 3), np.uint8)
         self.pixels[:] = theme.ground
         self.theme = theme
-        self.unit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
-        self.type = TypeScale(
-            *(max(_SMALLEST_TYPE, round(size * self.unit)) for size in (16, 18, 20, 34))
-        )
+        self.unit = min(width / _REFERENCE_WIDTH, height / _REFERENCE_HEIGHT)
+        sizes = (max(_SMALLEST_TYPE, round(size * self.unit)) for size in _TYPE_SIZES)
+        self.type = TypeScale(*sizes)
         self.texts: list[PlacedText] = []
-        self._origin = (0.0, 0.0)
+        self._origin = (0, 0)
         # A face of its own: OpenCV's faces are not safe to share between threads.
         self._face = new_face()
 
@@ -91,22 +87,22 @@ class Canvas:
     @property
     def page(self) -> Box:
         """What can be drawn on within the margin."""
-        return self.box.inset(MARGIN * self.unit)
+        return self.box.inset(_MARGIN * self.unit)
 
     @property
     def gap(self) -> float:
         """Distance between columns of the page, px."""
-        return GAP * self.unit
+        return _GAP * self.unit
 
     def clipped(self, box: Box) -> "Canvas":
         """The same page, the same coordinates, but nothing is drawn outside of the box."""
         left, top = max(round(box.left), 0), max(round(box.top), 0)
+        x0, y0 = self._origin
         part = copy(self)
-        x0, y0 = (round(value) for value in self._origin)
         part.pixels = self.pixels[
             top - y0 : round(box.bottom) - y0, left - x0 : round(box.right) - x0
         ]
-        part._origin = (float(left), float(top))
+        part._origin = (left, top)
         return part
 
     def copy(self) -> "Canvas":
@@ -120,6 +116,15 @@ class Canvas:
     def restore(self, still: "Canvas", box: Box) -> None:
         """Make a box look as it does on another page of the same size."""
         self.clipped(box).pixels[:] = still.clipped(box).pixels
+
+    def save(self, path: Path) -> None:
+        """Write the canvas as a PNG file.
+
+        Raises:
+            OSError: if the file cannot be written.
+        """
+        _, encoded = cv2.imencode(".png", cv2.cvtColor(self.pixels, cv2.COLOR_RGB2BGR))
+        path.write_bytes(encoded.tobytes())
 
     # Shapes
 
@@ -140,15 +145,6 @@ class Canvas:
         angles = starts + np.radians(np.linspace(0.0, 90.0, 9))
         arcs = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=-1)
         self.polygon(arcs.reshape(-1, 2), colour)
-
-    def save(self, path: Path) -> None:
-        """Write the canvas as a PNG file.
-
-        Raises:
-            OSError: if the file cannot be written.
-        """
-        _, encoded = cv2.imencode(".png", cv2.cvtColor(self.pixels, cv2.COLOR_RGB2BGR))
-        path.write_bytes(encoded.tobytes())
 
     def line(self, points: ArrayLike, colour: Colour, width: float = 1.0) -> None:
         """Draw through points [N, 2] with a pen of this width in px, at least one pixel."""
@@ -187,8 +183,7 @@ class Canvas:
     ) -> str:
         """The first candidate that is no wider than `width`; failing all, the last one cut short.
 
-        Returns:
-            The text, perhaps ending in an ellipsis; empty if not even one letter fits.
+        What is cut short ends in an ellipsis; it is empty if not even one letter fits.
         """
         options = [candidates] if isinstance(candidates, str) else candidates
         wordings = [printable(option) for option in options]
@@ -236,9 +231,9 @@ class Canvas:
         """The box that a text would take up; the arguments are those of `text`."""
         width = self.measure(text, size, weight)
         left = round(at[0] - {"left": 0.0, "centre": 0.5, "right": 1.0}[anchor] * width)
-        below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT, "bottom": -DESCENT}
-        # lines set by their top or bottom must not reach over it by a rounding
-        to_pixel = {"top": math.ceil, "bottom": math.floor}.get(line, round)
+        below = {"base": 0.0, "middle": CAPITAL_HEIGHT / 2, "top": ASCENT}
+        # a line set by its top must not reach over it by a rounding
+        to_pixel = math.ceil if line == "top" else round
         baseline = to_pixel(at[1] + below[line] * size)
         return Box(left, baseline - ASCENT * size, left + width, baseline + DESCENT * size)
 
@@ -263,7 +258,7 @@ class Canvas:
             weight: of type, 100 to 1000.
             anchor: which part of the text lies at x: `left`, `centre` or `right`.
             line: which part of it lies at y: its baseline (`base`), the middle of its capitals
-                (`middle`), the `top` or the `bottom` of its box.
+                (`middle`), or the `top` of its box.
             halo: colour of a rim around the letters that keeps them apart from what is below.
 
         Returns:

@@ -7,6 +7,7 @@ encodes.
 import io
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path
 from typing import cast
 
@@ -18,11 +19,8 @@ from studio.arrays import PixelArray
 from studio.painter.boxes import check_size
 from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
 
-LARGEST_GIF_SIDE = 1920
-"""Of a frame, px."""
-
-MOST_GIF_FRAMES = 50
-"""A second; browsers slow GIFs down that ask for more."""
+_LARGEST_SIDE = 1920  # of a frame, px
+_MOST_FRAMES = 50  # a second: browsers slow GIFs down that ask for more
 
 
 def write_gif(
@@ -48,22 +46,20 @@ def write_gif(
         InputError: if the size or the number of frames is not allowed.
         OSError: if the file cannot be written.
     """
-    check_size(size, SMALLEST_FRAME, LARGEST_GIF_SIDE)
-    check_rate(frames_per_second, MOST_GIF_FRAMES)
+    check_size(size, SMALLEST_FRAME, _LARGEST_SIDE)
+    check_rate(frames_per_second, _MOST_FRAMES)
     length = sum(segment.length for segment in segments)
 
     def told(before: int) -> Iterator[tuple[int, PixelArray]]:
         """All frames with their numbers, without those that look like the one before."""
         shown = np.empty((0, 0, 3), np.uint8)
-        index = 0
-        for segment in segments:
-            for pixels in segment.frames():
-                if not np.array_equal(pixels, shown):
-                    shown = pixels.copy()
-                    yield index, shown
-                index += 1
-                if progress is not None:
-                    progress(before + index, 2 * length)
+        frames = chain.from_iterable(segment.frames() for segment in segments)
+        for index, pixels in enumerate(frames):
+            if not np.array_equal(pixels, shown):
+                shown = pixels.copy()
+                yield index, shown
+            if progress is not None:
+                progress(before + index + 1, 2 * length)
 
     palette, last = _palette(told(0), size)
     held = round(100 * (length - last) / frames_per_second)

@@ -13,7 +13,7 @@ from studio.painter.lettering import SEMIBOLD
 from studio.style.palette import Colour
 from studio.style.places import choose_places, places_around, spread_apart
 
-_DIRECTIONS = 24
+_DIRECTIONS = 24  # from a thing, in which its label may lie
 _RINGS = (0.0, 0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.5)  # distances, in heights of the label
 _COST_OF_INK = 12.0  # a label wholly on ink is as bad as this many heights of distance
 _COST_OF_SOLID_INK = 30.0  # and as this many more if the ink is as dark as text
@@ -25,25 +25,15 @@ _COST_OF_CONFUSION = 15.0  # heights; a label that lies nearer to another thing 
 
 @dataclass(frozen=True)
 class Label:
-    """The name of a thing that lies at a point.
-
-    Attributes:
-        text: the name.
-        size: of type, px.
-        weight: of type, 100 to 1000.
-        colour: of the letters, and of a line to the thing.
-        near: the point, px.
-        reach: distance to keep from it, px.
-        direction: where from the point the label would best be (dx, dy), px; of any length.
-    """
+    """The name of a thing that lies at a point."""
 
     text: str
-    size: int
-    weight: int
-    colour: Colour
-    near: Point
-    reach: float
-    direction: Point
+    size: int  # of type, px
+    weight: int  # of type, 100 to 1000
+    colour: Colour  # of the letters, and of a line to the thing
+    near: Point  # where the thing lies, px
+    reach: float  # distance to keep from that point, px
+    direction: Point  # where from the point the label would best be (dx, dy), of any length
 
 
 _NO_POINTS: FloatArray = np.empty((0, 2))
@@ -65,23 +55,16 @@ def draw_labels(
         ground: colour of the empty area.
         seen: [N, 2], points that are best not covered, px.
     """
-    places = place(labels, canvas, area, ground, seen)
-    for label, box in zip(labels, places, strict=True):
+    boxes = place(labels, canvas, area, ground, seen)
+    for label, box in zip(labels, boxes, strict=True):
         if box is None:
             continue
         if distance(box, label.near) > label.reach + box.height:
             x, y = label.near
             end = min(max(x, box.left), box.right), min(max(y, box.top), box.bottom)
             canvas.line([label.near, end], label.colour, canvas.hair)
-        canvas.text(
-            box.centre,
-            label.text,
-            label.size,
-            label.colour,
-            label.weight,
-            anchor="centre",
-            halo=ground,
-        )
+        letters = label.text, label.size, label.colour, label.weight
+        canvas.text(box.centre, *letters, anchor="centre", halo=ground)
 
 
 def place(
@@ -91,15 +74,10 @@ def place(
     ground: Colour,
     seen: FloatArray = _NO_POINTS,
 ) -> list[Box | None]:
-    """Choose a place for each label, the first ones choosing first.
+    """Choose a box for each label, or None where there is no room; arguments as `draw_labels`.
 
-    A place costs its distance from the thing, the ink and the points that it covers; it never
-    overlaps another label nor leaves the area.
-
-    Arguments as for `draw_labels`.
-
-    Returns:
-        A box for each label, or None where there is no room.
+    The first labels choose first. A place costs its distance from the thing, the ink and the points
+    that it covers; it never overlaps another label nor leaves the area.
     """
     part = canvas.clipped(area)
     away = np.abs(part.pixels.astype(np.int16) - np.array(ground, np.int16)).max(axis=-1) / 255.0
@@ -110,13 +88,10 @@ def place(
         boxes = np.concatenate([places - half, places + half], axis=-1)
         own = _distances(boxes, label.near)
         others = [_distances(boxes, other.near) for other in labels if other is not label]
-        cost = (
-            cost
-            + _COST_OF_INK * ink.shares(boxes)
-            + _COST_OF_SOLID_INK * solid.shares(boxes)
-            + _COST_OF_COVERING * _cover(boxes, seen)
-            + _COST_OF_CONFUSION * np.any([other < own for other in others], axis=0)
-        )
+        cost += _COST_OF_INK * ink.shares(boxes)
+        cost += _COST_OF_SOLID_INK * solid.shares(boxes)
+        cost += _COST_OF_COVERING * _cover(boxes, seen)
+        cost += _COST_OF_CONFUSION * np.any([other < own for other in others], axis=0)
         leaves = (boxes[:, :2] < astuple(area)[:2]) | (boxes[:, 2:] > astuple(area)[2:])
         middles.append(places)
         halves.append(half)
@@ -134,11 +109,8 @@ def end_labels(
 ) -> None:
     """Write names beside the ends of lines, moved apart where they would touch.
 
-    Args:
-        canvas: to draw on.
-        left: where the names begin, px.
-        column: how high, low and far to the right names may lie.
-        labels: of each line the height of its end, px, wordings, and its colour.
+    Names begin at `left` (px) and stay in the column. A label has the height of its line's end, px,
+    the wordings of the name, and the line's colour.
     """
     size = canvas.type.small
     step = 1.12 * size
@@ -146,8 +118,8 @@ def end_labels(
     heights = [y for y, _, _ in shown]
     centres = spread_apart(heights, step, column.top + step / 2, column.bottom - step / 2)
     for middle, (_, wordings, colour) in zip(centres, shown, strict=True):
-        text = canvas.fitted(wordings, column.right - left, size, SEMIBOLD)
-        canvas.text((left, middle), text, size, canvas.theme.legible(colour), SEMIBOLD)
+        ink = canvas.theme.legible(colour)
+        canvas.fit((left, middle), wordings, column.right - left, size, ink, SEMIBOLD)
 
 
 def distance(box: Box, point: Point) -> float:

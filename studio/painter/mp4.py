@@ -28,12 +28,10 @@ from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rat
 
 VideoPacket: TypeAlias = "av.Packet[av.VideoStream]"
 
-LARGEST_FILM_SIDE = 4096
-"""Of a frame, px."""
-
 MOST_FILM_FRAMES = 60
 """A second."""
 
+_LARGEST_SIDE = 4096  # of a frame, px: common players show no larger ones
 _WORKERS = 2
 
 # the AV1 encoder would describe itself at length on the standard error
@@ -42,9 +40,9 @@ os.environ.setdefault("SVT_LOG", "1")
 
 @dataclass(frozen=True)
 class _Codec:
-    """A way to encode an MP4 film: FFmpeg's encoder and its options."""
+    """A way to encode an MP4 film."""
 
-    encoder: str
+    encoder: str  # FFmpeg's name of it
     options: dict[str, str]
 
 
@@ -73,20 +71,6 @@ def check_codec(codec: str) -> None:
         raise InputError(f"codec: {codec!r} {lacking}: {', '.join(present) or 'there is none'}")
 
 
-def check_film_size(size: tuple[int, int]) -> None:
-    """Refuse sizes of frames that cannot be encoded as MP4.
-
-    Raises:
-        InputError: if the width or height is odd, for colours are stored for blocks of 2x2 pixels,
-            or too small or too large for common players.
-    """
-    if size[0] % 2 or size[1] % 2:
-        raise InputError(
-            f"size: {size[0]}x{size[1]} pixels is not allowed: a film's width and height are even"
-        )
-    check_size(size, SMALLEST_FRAME, LARGEST_FILM_SIDE)
-
-
 def write_mp4(
     path: Path,
     segments: Sequence[Segment],
@@ -109,7 +93,7 @@ def write_mp4(
         InputError: if the size, the number of frames or the codec is not allowed.
         OSError: if the file cannot be written.
     """
-    check_film_size(size)
+    _check_film_size(size)
     check_rate(frames_per_second, MOST_FILM_FRAMES)
     check_codec(codec)
     form = _Form(_CODECS[codec], size, frames_per_second)
@@ -149,6 +133,15 @@ def write_mp4(
     _join(path, encoded, form)
 
 
+def _check_film_size(size: tuple[int, int]) -> None:
+    # colours are stored for blocks of 2x2 pixels
+    if size[0] % 2 or size[1] % 2:
+        raise InputError(
+            f"size: {size[0]}x{size[1]} pixels is not allowed: a film's width and height are even"
+        )
+    check_size(size, SMALLEST_FRAME, _LARGEST_SIDE)
+
+
 def _is_present(encoder: str) -> bool:
     try:
         av.Codec(encoder, "w")
@@ -165,16 +158,11 @@ class _Form:
     size: tuple[int, int]
     frames_per_second: int
 
-    @property
-    def time_base(self) -> Fraction:
-        """Duration of a frame, s."""
-        return Fraction(1, self.frames_per_second)
-
     def encoder(self) -> av.VideoCodecContext:
         """A new encoder."""
         encoder = cast(av.VideoCodecContext, av.CodecContext.create(self.codec.encoder, "w"))
         encoder.framerate = Fraction(self.frames_per_second)
-        encoder.time_base = self.time_base
+        encoder.time_base = 1 / encoder.framerate
         # MP4 keeps the parameter sets in its header, once
         encoder.flags |= Flags.global_header
         self.set_up(encoder)
@@ -202,19 +190,14 @@ def _join(path: Path, encoded: Sequence[list[VideoPacket]], form: _Form) -> None
         container.start_encoding()
         # frames are decoded before they are shown, by as much as the segment needs that needs most:
         # encoders of short segments tell less, and the times of all must go up
-        lead = max(
-            (
-                place - cast(int, packet.pts)
-                for packets in encoded
-                for place, packet in enumerate(packets)
-            ),
-            default=0,
-        )
-        first = 0
+        lead, first = 0, 0
+        for packets in encoded:
+            for place, packet in enumerate(packets):
+                lead = max(lead, place - cast(int, packet.pts))
         for packets in encoded:
             for place, packet in enumerate(packets):
                 packet.stream = stream
-                packet.time_base = form.time_base
+                packet.time_base = Fraction(1, form.frames_per_second)
                 packet.pts = cast(int, packet.pts) + first
                 packet.dts = first + place - lead
                 container.mux(packet)

@@ -17,26 +17,18 @@ from studio.style.palette import Colour
 Part = tuple[slice, slice]
 """Rows and columns of a canvas."""
 
-
-SOFT_EDGE = (1.0, 3.0)
-"""How far OpenCV's soft edges reach beyond the pen, towards lower and higher coordinates, px."""
-
+# how far beyond the pen a path is counted, towards lower and towards higher coordinates, px
+_SOFT_EDGE = (1.0, 3.0)  # all that OpenCV draws
 _NARROW_EDGE = (1.0, 2.0 + 1.0 / 32.0)  # what still pictures have always shown
 
 
 @dataclass(frozen=True)
 class Trace:
-    """What a path that comes piece by piece covers so far.
+    """What a path that comes piece by piece covers so far."""
 
-    Attributes:
-        left: first column of the canvas that the whole path can touch.
-        top: first row that it can touch.
-        mask: [h, w], how much of the pixels from there on is covered, in 255ths.
-    """
-
-    left: int
-    top: int
-    mask: PixelArray
+    left: int  # first column of the canvas that the whole path can touch
+    top: int  # first row that it can touch
+    mask: PixelArray  # [h, w], how much of the pixels from there on is covered, in 255ths
 
 
 class FaintPaths:
@@ -51,7 +43,7 @@ class FaintPaths:
         width: of the pen, px.
         opacity: of one path, 0 to 1 (not included).
         fringe: how far beyond the pen paths are counted, before and after their points, px. Less
-            than `SOFT_EDGE` cuts off a hundredth of a path here and there.
+            than OpenCV's soft edges cuts off a hundredth of a path here and there.
     """
 
     def __init__(
@@ -60,7 +52,7 @@ class FaintPaths:
         colour: Colour,
         width: float,
         opacity: float,
-        fringe: tuple[float, float] = SOFT_EDGE,
+        fringe: tuple[float, float] = _SOFT_EDGE,
     ) -> None:
         self._fringe = fringe
         self._corner = np.array([canvas.box.left, canvas.box.top])
@@ -79,8 +71,10 @@ class FaintPaths:
             The part of the canvas that looks different now.
         """
         fixed, touched = fixed_point(paths - self._corner), self._touched(paths)
-        for index, (line, box) in enumerate(zip(fixed, touched.tolist(), strict=True)):
-            self._count(line, box, traces[index] if traces else _empty_trace(box))
+        boxes = touched.tolist()
+        begun = traces or map(_empty_trace, boxes)
+        for line, box, trace in zip(fixed, boxes, begun, strict=True):
+            self._count(line, box, trace)
         left, top = touched[:, :2].min(axis=0, initial=self._counts.size)
         right, bottom = touched[:, 2:].max(axis=0, initial=0)
         return slice(top, bottom), slice(left, right)

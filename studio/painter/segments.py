@@ -17,13 +17,11 @@ SMALLEST_FRAME = (64, 64)
 class Segment:
     """A part of a film.
 
-    Attributes:
-        length: how many frames it has.
-        frames: makes its frames, one after the other, each [height, width, 3] in red, green,
-            blue; a frame need last only until the next one is asked for. It may be called again.
+    Its frames are made one after the other, each [height, width, 3] in red, green, blue. A frame
+    need last only until the next one is asked for. All may be asked for again.
     """
 
-    length: int
+    length: int  # frames
     frames: Callable[[], Iterable[PixelArray]]
 
 

@@ -1,6 +1,6 @@
 """Views: maps from metres to pixels."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,17 +11,11 @@ from studio.painter.boxes import Box, Point
 
 @dataclass(frozen=True)
 class View:
-    """A map from metres (y up) to pixels (y down), with the same scale in x and y.
+    """A map from metres (y up) to pixels (y down), with the same scale in x and y."""
 
-    Attributes:
-        box: where on the page the map lies, px.
-        scale: px per m.
-        centre: what lies in the middle of the box (x, y), m.
-    """
-
-    box: Box
-    scale: float
-    centre: Point
+    box: Box  # where on the page the map lies, px
+    scale: float  # px per m
+    centre: Point  # what lies in the middle of the box (x, y), m
 
     @classmethod
     def around(cls, bounds: Bounds, box: Box) -> "View":
@@ -42,7 +36,3 @@ class View:
         away = np.asarray(points, dtype=np.float64)[..., :2] - np.array(self.centre)
         pixels: FloatArray = np.array(self.box.centre) + away * np.array([self.scale, -self.scale])
         return pixels
-
-    def within(self, box: Box) -> "View":
-        """The same scale and centre in another box."""
-        return replace(self, box=box)

@@ -12,46 +12,36 @@ from numpy.typing import ArrayLike
 from studio.arrays import Bounds, FloatArray
 from studio.recorder.drawing import Drawing
 from studio.style.palette import LIGHT, Colour
-from studio.style.ticks import ratio_ticks
+from studio.style.ticks import round_numbers
 from studio.style.words import number
 
 LIFT = 0.03
 """How much higher than their places texts are put."""
 
-KEY_STEP, KEY_INDENT = 0.1, 0.14
-"""From row to row of a key, and from its left to its words."""
+KEY_STEP = 0.1
+"""From row to row of a key."""
 
-HALF_A_LETTER = 0.012
-"""Half the width that a letter usually takes."""
-
-ROOM_FOR_WORDS = 0.15
-"""Words at ticks that are closer than this are left out."""
+_KEY_INDENT = 0.14  # from the left of a key to its words
+_HALF_A_LETTER = 0.012  # half the width that a letter usually takes
+_ROOM_FOR_WORDS = 0.15  # words at ticks that are closer than this are left out
 
 
 @dataclass(frozen=True)
 class Scale:
-    """Numbers along one side of a figure.
+    """Numbers along one side of a figure."""
 
-    Attributes:
-        ticks: ascending, from one end of the scale to the other.
-        words: what is written at each tick; nothing where it is empty.
-        logarithmic: whether equal lengths are equal ratios.
-    """
-
-    ticks: tuple[float, ...]
-    words: tuple[str, ...]
-    logarithmic: bool = False
+    ticks: tuple[float, ...]  # ascending, from one end of the scale to the other
+    words: tuple[str, ...]  # what is written at each tick; nothing where it is empty
+    logarithmic: bool = False  # whether equal lengths are equal ratios
 
     def __call__(self, numbers: ArrayLike) -> FloatArray:
         """How far along the scale numbers lie, 0 to 1; those beyond its ends lie at the ends."""
-        low, high = self._measure([self.ticks[0], self.ticks[-1]])
-        inside = np.clip(numbers, self.ticks[0], self.ticks[-1])
-        along: FloatArray = (self._measure(inside) - low) / (high - low)
+        ends = np.array([self.ticks[0], self.ticks[-1]], dtype=np.float64)
+        places = np.clip(np.asarray(numbers, dtype=np.float64), *ends)
+        if self.logarithmic:
+            ends, places = np.log10(ends), np.log10(places)
+        along: FloatArray = (places - ends[0]) / (ends[1] - ends[0])
         return along
-
-    def _measure(self, numbers: ArrayLike) -> FloatArray:
-        given = np.asarray(numbers, dtype=np.float64)
-        return np.log10(given) if self.logarithmic else given
 
 
 @dataclass(frozen=True)
@@ -88,7 +78,7 @@ class Axes:
 def key_left(words: Iterable[str]) -> float:
     """Where a key with these words begins, so that it ends where the page does."""
     longest = max(map(len, words))
-    return max(0.2, min(0.6, 1.0 - KEY_INDENT - 2.0 * HALF_A_LETTER * longest))
+    return max(0.2, min(0.6, 1.0 - _KEY_INDENT - 2.0 * _HALF_A_LETTER * longest))
 
 
 def draw_key(
@@ -102,7 +92,7 @@ def draw_key(
             drawing.dashes(ends, LIGHT.ink, 2.5)
         else:
             drawing.line(ends, colour, 4.0)
-        drawing.text((left + KEY_INDENT + HALF_A_LETTER * len(words), y), words)
+        drawing.text((left + _KEY_INDENT + _HALF_A_LETTER * len(words), y), words)
 
 
 def linear(ticks: Sequence[float]) -> Scale:
@@ -114,20 +104,26 @@ def sizes_scale(sizes: Sequence[int]) -> Scale:
     """A logarithmic scale of sizes, with a tick at each and words where there is room."""
     if len(sizes) == 1:
         return Scale((sizes[0] / 2.0, sizes[0], sizes[0] * 2.0), ("", str(sizes[0]), ""), True)
-    scale = Scale(tuple(sizes), ("",) * len(sizes), True)
-    words, last = [], np.inf
-    for size in reversed(sizes):
-        has_room = last - float(scale(size)) >= ROOM_FOR_WORDS
-        words.append(str(size) if has_room else "")
-        last = float(scale(size)) if has_room else last
-    return Scale(scale.ticks, tuple(reversed(words)), True)
+    scale = Scale(tuple(sizes), (), True)
+    words, last = [""] * len(sizes), np.inf
+    for index in reversed(range(len(sizes))):
+        place = float(scale(sizes[index]))
+        if last - place >= _ROOM_FOR_WORDS:
+            words[index], last = str(sizes[index]), place
+    return Scale(scale.ticks, tuple(words), True)
 
 
 def ratio_scale(
-    low: float, high: float, steps: Sequence[float] = (1.0, 3.0), unit: str = ""
+    low: float, high: float, digits: Sequence[float] = (1.0, 3.0), unit: str = ""
 ) -> Scale:
-    """A logarithmic scale from below `low` to above `high`, with ticks at steps times tens."""
-    ticks = tuple(ratio_ticks(low, high, steps))
+    """A logarithmic scale with at least two ticks at round numbers of these digits.
+
+    It reaches from the last such number up to `low` to the first one from `high` on.
+    """
+    numbers = round_numbers(low / 10.0, 100.0 * high, digits)
+    first = max(place for place, number in enumerate(numbers) if number <= low)
+    last = min(place for place, number in enumerate(numbers) if number >= high)
+    ticks = tuple(numbers[first : max(last, first + 1) + 1])
     return Scale(ticks, tuple(f"{number(tick)}{unit}" for tick in ticks), True)
 
 

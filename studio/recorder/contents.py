@@ -18,43 +18,29 @@ from studio.files import check_is_recording
 
 @dataclass(frozen=True)
 class Contents:
-    """What a recording file holds.
+    """What a recording file holds; an `InputError` is raised if it lacks what is asked for."""
 
-    Attributes:
-        path: of the file, as the user named it.
-        application: the id of the application that it belongs to.
-        batches: rows of each entity, in the order of the file.
-    """
-
-    path: Path
-    application: str
-    batches: dict[str, list[pa.RecordBatch]]
+    path: Path  # of the file, as the user named it
+    application: str  # the id of the application that it belongs to
+    batches: dict[str, list[pa.RecordBatch]]  # rows of each entity, in the order of the file
 
     def has(self, entity: str, component: str) -> bool:
         """Whether an entity has a component."""
-        return any(component in batch.schema.names for batch in self.batches.get(entity, []))
+        return bool(self._batches_with(entity, component))
 
     def static(self, entity: str, component: str) -> NDArray[Any]:
-        """The values of a component that does not change, [N] or [N, ...].
-
-        Raises:
-            InputError: if there is no such thing.
-        """
+        """The values of a component that does not change, [N] or [N, ...]."""
         return _numbers(self._column(entity, component)[-1].values)
 
     def text(self, entity: str, component: str) -> str:
-        """A single text that does not change.
-
-        Raises:
-            InputError: if there is no such thing.
-        """
+        """A single text that does not change."""
         return str(self.static(entity, component)[0])
 
     def over_time(self, entity: str, component: str, timeline: str) -> NDArray[Any]:
         """The values of a component of equal length at all times, in order of time, [T, N, ...].
 
         Raises:
-            InputError: if there is no such thing, or the lengths differ.
+            InputError: if there is no such component, or the lengths differ.
         """
         rows = self._column(entity, component, timeline)
         values = rows.flatten()
@@ -69,21 +55,17 @@ class Contents:
         Returns:
             A row's time under the name of the timeline, and its components, each a list.
         """
-        found = []
-        for batch in self.batches.get(entity, []):
-            if timeline in batch.schema.names:
-                found += batch.to_pylist()
-        return sorted(found, key=lambda row: int(row[timeline]))
+        batches = self._batches_with(entity, timeline)
+        rows = [row for batch in batches for row in batch.to_pylist()]
+        return sorted(rows, key=lambda row: int(row[timeline]))
 
     def check_edition(self, entity: str, newest: int) -> None:
         """Make sure that the recording is of an edition that this version of the studio reads.
 
-        Args:
-            entity: which tells the edition, as its component `schema_version`.
-            newest: the newest edition that is read; the oldest is 1.
+        An entity tells the edition, as its component `schema_version`. The oldest is 1.
 
         Raises:
-            InputError: if it is of another edition, or tells none.
+            InputError: if it is of an edition below 1 or above the newest, or tells none.
         """
         told = int(self.static(entity, "schema_version")[0])
         if not 1 <= told <= newest:
@@ -95,12 +77,13 @@ class Contents:
         """The error to raise where something is not as the studio writes it."""
         return InputError(f"{self.path}: is damaged, or not a recording of the studio: {what}")
 
+    def _batches_with(self, entity: str, *columns: str) -> list[pa.RecordBatch]:
+        batches = self.batches.get(entity, [])
+        return [batch for batch in batches if set(columns) <= set(batch.schema.names)]
+
     def _column(self, entity: str, component: str, timeline: str | None = None) -> pa.ListArray:
         """The rows of a component that are there, in the order of the file or of a timeline."""
-        wanted = {component, *([timeline] if timeline else [])}
-        batches = [
-            batch for batch in self.batches.get(entity, []) if wanted <= {*batch.schema.names}
-        ]
+        batches = self._batches_with(entity, component, *filter(None, [timeline]))
         if not batches:
             raise self.damaged(f"it has no {component} at {entity}")
         parts = [batch.column(component) for batch in batches]

@@ -20,14 +20,8 @@ from studio.style.palette import LIGHT, Colour
 GROUND = "ground"
 """The entity that lies under everything else."""
 
-GROUND_REACH = 3000.0
-"""The ground reaches this far from the origin, farther than any place of a scene, m."""
-
 OVERLAP = 1.6
 """Strokes that fill an area are this much wider than they are apart: less shows seams."""
-
-DOT_LENGTH = 1e-3
-"""A line of no length is not drawn, so dots are lines of this length."""
 
 PAGE_RESOLUTION = 1.0 / 512.0
 """Finer than can be seen on a page; places that are rounded to it pack into less of a file."""
@@ -35,27 +29,23 @@ PAGE_RESOLUTION = 1.0 / 512.0
 DASH, DASH_GAP = 0.03, 0.02
 """Lengths of a dash and of the gap after it, on a page."""
 
+_GROUND_REACH = 3000.0  # of the ground from the origin, farther than any place of a scene, m
+_DOT_LENGTH = 1e-3  # a line of no length is not drawn, so dots are lines of this length
+
 
 @dataclass(frozen=True)
 class Drawing:
     """Lines and texts that become one entity.
 
-    Attributes:
-        lift: how much higher than their places texts are put, because the viewer hangs a label
-            below its line.
-        resolution: places are rounded to multiples of this; 0 leaves them.
-        lines: [N, 2] each.
-        colours: one a line.
-        radii: one a line; negative ones are in pixels, as Rerun has it.
-        texts: the words and the place that they are centred on.
+    Texts are lifted above their places, because the viewer hangs a label below its line.
     """
 
-    lift: float = 0.0
-    resolution: float = 0.0
-    lines: list[FloatArray] = field(default_factory=list)
-    colours: list[Colour] = field(default_factory=list)
-    radii: list[float] = field(default_factory=list)
-    texts: list[tuple[str, FloatArray]] = field(default_factory=list)
+    lift: float = 0.0  # how much higher than their places texts are put
+    resolution: float = 0.0  # places are rounded to multiples of this; 0 leaves them
+    lines: list[FloatArray] = field(default_factory=list)  # [N, 2] each
+    colours: list[Colour] = field(default_factory=list)  # one a line
+    radii: list[float] = field(default_factory=list)  # one a line; negative ones are in pixels
+    texts: list[tuple[str, FloatArray]] = field(default_factory=list)  # and their middles
 
     def line(self, points: ArrayLike, colour: Colour, pixels: float = 1.4) -> None:
         """Draw a line through points [N, 2] that is as wide in pixels however near one looks."""
@@ -78,7 +68,7 @@ class Drawing:
 
     def dashes(self, points: FloatArray, colour: Colour, pixels: float = 1.4) -> None:
         """Draw a dashed line through points [N, 2] of a page."""
-        along = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+        along = np.append(0.0, np.hypot(*np.diff(points, axis=0).T).cumsum())
         for start in np.arange(0.0, along[-1], DASH + DASH_GAP):
             end = min(start + DASH, along[-1])
             stops = np.unique([start, *along[(along > start) & (along < end)], end])
@@ -88,7 +78,7 @@ class Drawing:
     def dot(self, place: Sequence[float], colour: Colour, pixels: float) -> None:
         """Draw a disc that is this many pixels wide however near one looks."""
         x, y = place
-        self.line([(x - DOT_LENGTH / 2, y), (x + DOT_LENGTH / 2, y)], colour, pixels)
+        self.line([(x - _DOT_LENGTH / 2, y), (x + _DOT_LENGTH / 2, y)], colour, pixels)
 
     def text(self, place: Sequence[float], words: str) -> None:
         """Write words centred on a place (x, y)."""
@@ -141,13 +131,6 @@ def log_ground(stream: rr.RecordingStream) -> None:
 
     One short line of enormous width: it is a fifth of the size of a background for every view.
     """
-    stream.log(
-        GROUND,
-        rr.LineStrips2D(
-            [[(-GROUND_REACH, 0.0), (GROUND_REACH, 0.0)]],
-            colors=LIGHT.panel,
-            radii=GROUND_REACH,
-            draw_order=-100.0,
-        ),
-        static=True,
-    )
+    ends = [(-_GROUND_REACH, 0.0), (_GROUND_REACH, 0.0)]
+    ground = rr.LineStrips2D([ends], colors=LIGHT.panel, radii=_GROUND_REACH, draw_order=-100.0)
+    stream.log(GROUND, ground, static=True)

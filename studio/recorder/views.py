@@ -54,11 +54,7 @@ def drawn_view(
 ) -> rrb.View:
     """A view of drawn things on light ground.
 
-    Args:
-        contents: entities; `/**` at the end of one stands for everything below it.
-        bounds: what the view shows.
-        title: of the view.
-        overrides: what holds for some of the entities in this view; see `gathering`.
+    The contents are entities; `/**` at the end of one stands for everything below it.
     """
     x0, y0, x1, y1 = bounds
     return rrb.Spatial2DView(

@@ -50,25 +50,18 @@ OTHER_LEARNERS: tuple[Colour, ...] = (
 class Theme:
     """The ground that things are drawn on, and the colours that depend on it.
 
-    Attributes:
-        ground: of the page.
-        panel: of a plot on the page.
-        faint: of minor text and axes.
-        ink: of text.
-        contact: of touching a pedestrian or a wall, and of nothing else.
-        actions: names of all actions of the scene in their order, which gives them their colours;
-            a drawing of only some of them shows these in the same colours.
+    Actions have their colours by their order in the scene, even where only some of them are drawn.
     """
 
-    ground: Colour
-    panel: Colour
+    ground: Colour  # of the page
+    panel: Colour  # of a plot on the page
     grid: Colour
-    faint: Colour
-    ink: Colour
+    faint: Colour  # of minor text and axes
+    ink: Colour  # of text
     wall: Colour
     pedestrian: Colour
-    contact: Colour
-    actions: tuple[str, ...] = ()
+    contact: Colour  # of touching a pedestrian or a wall, and of nothing else
+    actions: tuple[str, ...] = ()  # names of all actions of the scene, in their order
 
     def of(self, actions: Iterable[str]) -> "Theme":
         """The theme with a colour for each action of these names; itself if it has them already."""

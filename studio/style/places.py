@@ -9,13 +9,9 @@ from studio.arrays import FloatArray
 
 
 def spread_apart(heights: Sequence[float], step: float, low: float, high: float) -> list[float]:
-    """Heights moved so far apart that neighbours are a step away from one another.
+    """Ascending heights moved so far apart that neighbours are at least a step apart.
 
-    Args:
-        heights: ascending.
-        step: least distance; as many steps as there are heights fit between `low` and `high`.
-        low: least height allowed.
-        high: largest height allowed.
+    All stay between `low` and `high`, between which there is room for as many steps as heights.
     """
     spread = list(heights)
     last = len(spread) - 1

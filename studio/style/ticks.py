@@ -10,10 +10,8 @@ from collections.abc import Sequence
 def round_step(span: float, most: float, digits: Sequence[float] = (1, 2, 5)) -> float:
     """The smallest round step of which at most `most` are needed to reach over a span.
 
-    Args:
-        span: above 0.
-        most: above 0, not necessarily whole.
-        digits: what may stand before the power of ten, ascending, 1 the first.
+    Both are above 0, and `most` need not be whole. The digits that may stand before the power of
+    ten ascend from 1.
     """
     power = math.floor(math.log10(span / most))
     steps = (float(f"{digit}e{power}") for digit in (*digits, 10))
@@ -58,17 +56,6 @@ def decades(low: float, high: float) -> list[float]:
         if len(found) >= 3:
             break
     return found
-
-
-def ratio_ticks(low: float, high: float, digits: Sequence[float] = (1, 3)) -> list[float]:
-    """Round values above 0, from the last one up to `low` to the first one from `high` on.
-
-    There are at least two.
-    """
-    numbers = round_numbers(low / 10.0, 100.0 * high, digits)
-    first = max(place for place, number in enumerate(numbers) if number <= low)
-    last = min(place for place, number in enumerate(numbers) if number >= high)
-    return numbers[first : max(last, first + 1) + 1]
 
 
 def doublings(low: float, high: float) -> list[float]:

@@ -33,6 +33,12 @@ def test_an_action_has_its_colour_whichever_others_are_shown():
     assert LIGHT.of(["turn_left"]).action_colour("turn_left") == ACTION_COLOURS[0]
 
 
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_ink_on_a_colour_is_read_more_easily_than_the_other_ink(theme: Theme):
+    assert theme.ink_on(theme.ground) == theme.ink
+    assert theme.ink_on(theme.ink) == theme.ground
+
+
 def test_contrast_is_that_of_the_guidelines():
     assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
     assert contrast((119, 119, 119), (255, 255, 255)) == pytest.approx(4.48, abs=0.01)

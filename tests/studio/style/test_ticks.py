@@ -5,7 +5,6 @@ from hypothesis import strategies as st
 from studio.style.ticks import (
     decades,
     doublings,
-    ratio_ticks,
     round_numbers,
     round_range,
     round_step,
@@ -60,14 +59,6 @@ def test_round_ticks_hold_everything_and_are_few(low, high):
 )
 def test_decades_get_finer_where_there_are_few(low, high, found):
     assert decades(low, high) == found
-
-
-@pytest.mark.parametrize(("low", "high"), [(0.01, 0.03), (0.4, 20.0), (1.0, 1.0), (30.0, 100.0)])
-def test_ratio_ticks_hold_everything_and_no_more(low, high):
-    found = ratio_ticks(low, high)
-    assert found[0] <= low < found[1]
-    assert found[-1] >= high
-    assert len(found) == 2 or found[-2] < high
 
 
 def test_doublings_reach_around_both_ends():

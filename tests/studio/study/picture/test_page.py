@@ -14,6 +14,7 @@ from studio.study.picture.page import compose_study_picture, draw_stage, lay_out
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
+from tests.canvases import check_texts
 from tests.studio.study.tables import THREE, study_table
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
@@ -80,10 +81,7 @@ def pages():
 def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
     canvas = compose_study_picture(CASES[name](), size, THEMES[theme])
     assert len(canvas.texts) > 5
-    for text in canvas.texts:
-        assert canvas.box.contains(text.box), text
-    for first, second in itertools.combinations(canvas.texts, 2):
-        assert not first.box.overlaps(second.box), (first, second)
+    check_texts(canvas)
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -292,11 +290,7 @@ def test_what_a_study_lacks_is_not_told_before_its_time():
 def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(name):
     page = lay_out_study(FILMED[name](), (640, 360), LIGHT)
     for stage in page.results.stages:
-        canvas = draw_stage(page, stage)
-        for text in canvas.texts:
-            assert canvas.box.contains(text.box), text
-        for first, second in itertools.combinations(canvas.texts, 2):
-            assert not first.box.overlaps(second.box), (first, second)
+        check_texts(draw_stage(page, stage))
 
 
 def test_a_film_has_its_theme():
