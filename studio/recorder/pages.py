@@ -9,9 +9,12 @@ PACKAGES = ("prospect-studio", "rerun-sdk", "numpy", "numba", "pysocialforce")
 """Packages that shape what a recording holds."""
 
 
-def log_page(stream: rr.RecordingStream, path: str, markdown: str) -> None:
-    """Add a page of Markdown to a recording."""
-    stream.log(path, rr.TextDocument(markdown, media_type=rr.MediaType.MARKDOWN), static=True)
+def log_page(stream: rr.RecordingStream, path: str, markdown: str, *, static: bool = True) -> None:
+    """Add a page of Markdown to a recording.
+
+    A page that is not static is shown from the stream's time on, until there is another one.
+    """
+    stream.log(path, rr.TextDocument(markdown, media_type=rr.MediaType.MARKDOWN), static=static)
 
 
 def package_versions() -> dict[str, str]:

@@ -3,7 +3,8 @@
 All else in it has the names that the recording of a scene gives it.
 """
 
-from studio.recorder.names import entity_part
+from rerun import escape_entity_path_part as entity_part
+
 from studio.scene.recording.entities import FIGURES, WORLD
 
 APPLICATION = "prospect_studio_comparison"

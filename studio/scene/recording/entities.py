@@ -3,7 +3,7 @@
 The recording, its blueprint and its text all take their paths from here.
 """
 
-from studio.recorder.names import entity_part
+from rerun import escape_entity_path_part as entity_part
 
 APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""

@@ -1,6 +1,6 @@
 """What the things in a recording of a study are called: its application and its entity paths."""
 
-from studio.recorder.names import entity_part
+from rerun import escape_entity_path_part as entity_part
 
 APPLICATION = "prospect_studio_learning"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
