@@ -1,5 +1,6 @@
+from rerun import escape_entity_path_part as entity_part
+
 from studio.recorder.markdown import link, plain, table
-from studio.recorder.names import entity_part
 from studio.recorder.pages import PACKAGES, package_versions
 
 
