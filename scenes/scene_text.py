@@ -24,11 +24,7 @@ def scene_to_toml(scene: Scene) -> str:
 
 
 def scene_from_toml(text: str, source: str = "scene") -> Scene:
-    """Read a scene from TOML text.
-
-    Args:
-        text: the TOML.
-        source: what messages call the text, for example the file's name.
+    """Read a scene from TOML text, which messages call by the name of its source.
 
     Raises:
         InputError: if the text is not TOML, has an unknown or missing key or a value that is not
@@ -61,7 +57,8 @@ def scene_from_file(path: Path) -> Scene:
 def one_line(error: ValidationError) -> str:
     """The first complaint of a failed validation: the field, what is allowed, what was given."""
     first, others = error.errors()[0], error.error_count() - 1
-    field = _dotted(first["loc"])
+    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]]
+    field = "".join(parts).removeprefix(".")  # for example walls[0].start
     message = first["msg"].removeprefix("Value error, ")
     if first["type"] == "value_error":
         said = message
@@ -73,12 +70,6 @@ def one_line(error: ValidationError) -> str:
         said = f"{_short(first['input'])} is not allowed: {message[0].lower()}{message[1:]}"
     more = f" (and {others} more)" if others else ""
     return f"{field}: {said}{more}" if field else f"{said}{more}"
-
-
-def _dotted(location: tuple[int | str, ...]) -> str:
-    """`('walls', 0, 'start')` as `walls[0].start`."""
-    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in location]
-    return "".join(parts).removeprefix(".")
 
 
 def _short(value: object) -> str:
