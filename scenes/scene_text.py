@@ -9,7 +9,7 @@ from typing import Any
 import tomli_w
 from pydantic import TypeAdapter, ValidationError
 
-from scenes.errors import InputError, why_unreadable
+from scenes.errors import InputError, checked_text
 from scenes.scene import Scene
 
 _SCENE = TypeAdapter(Scene)
@@ -46,11 +46,7 @@ def scene_from_file(path: Path) -> Scene:
     Raises:
         InputError: if the file cannot be read, or its text is not a scene.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = why_unreadable(error)
-        raise InputError(f"{path}: cannot be read as a scene: {reason}") from None
+    text = checked_text(path, "utf-8", "cannot be read as a scene")
     return scene_from_toml(text, source=str(path))
 
 
