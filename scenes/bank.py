@@ -30,8 +30,9 @@ from scenes.robot import Limits
 from scenes.rollouts import DEFAULT_STEP, Engine, Rollouts, simulate
 from scenes.scene import Scene
 
-BANK_VERSION = 1
-"""Version of the file's columns and metadata."""
+_BANK_VERSION = 1  # of the file's columns and metadata
+_KEY = b"prospect_studio"  # of the metadata
+_ROWS_PER_GROUP = 20_000  # a group of rows is written as soon as this many rows wait for it
 
 MOST_SCENES = 1_000_000
 """Most scenes in one bank."""
@@ -55,34 +56,21 @@ BANK_SCHEMA = pa.schema(
 Progress = Callable[[int, int], None]
 """Is told how many of how many steps are done."""
 
-_KEY = b"prospect_studio"
-
-_ROWS_PER_GROUP = 20_000
-"""A group of rows is written as soon as this many rows wait for it."""
-
 
 @dataclass(frozen=True)
 class BankPlan:
-    """What to sample.
-
-    Attributes:
-        scenes: how many scenes; scene i is number i of the series.
-        seed: seed of the scenes and of the noise, 0 to 2⁶³ - 1.
-        rollouts: K, for each scene and action.
-        families: names of the families to draw from; an empty tuple means all.
-        patterns: names of the patterns to draw from; an empty tuple means all.
-        horizon: simulated time, s; this and the following are as for `scenes.simulate`.
+    """What to sample; what is not described here is as for `scenes.simulate`.
 
     Raises:
         InputError: if the number of scenes is out of range.
     """
 
-    scenes: int = 300
-    seed: int = 0
-    rollouts: int = 50
-    families: tuple[str, ...] = ()
-    patterns: tuple[str, ...] = ()
-    horizon: float = 4.0
+    scenes: int = 300  # how many; scene i is number i of the series
+    seed: int = 0  # of the scenes and of the noise
+    rollouts: int = 50  # K, for each scene and action
+    families: tuple[str, ...] = ()  # names of those to draw from; none means all
+    patterns: tuple[str, ...] = ()  # names of those to draw from; none means all
+    horizon: float = 4.0  # s
     model: ForceSet = "extended"
     engine: Engine = "batched"
     noise: Noise = field(default_factory=Noise)
@@ -94,7 +82,10 @@ class BankPlan:
 
 
 def write_bank(
-    path: Path, plan: BankPlan, progress: Progress | None = None, workers: int | None = None
+    path: Path,
+    plan: BankPlan,
+    progress: Progress = lambda _done, _total: None,
+    workers: int | None = None,
 ) -> None:
     """Sample the bank and write it.
 
@@ -116,17 +107,15 @@ def write_bank(
     schema = BANK_SCHEMA.with_metadata({_KEY: json.dumps(metadata(plan))})
     # The first scene is simulated here, so that a wrong plan fails before a file is opened.
     first = sample_rows(plan, 0)
-    waiting, rows, done = [first], first.num_rows, 1
-    progress = progress or (lambda _done, _total: None)
-    progress(done, plan.scenes)
+    waiting, rows = [first], first.num_rows
+    progress(1, plan.scenes)
     with pq.ParquetWriter(path, schema, compression="zstd") as writer:
-        for table in _in_order(plan, range(1, plan.scenes), workers):
+        for done, table in enumerate(_in_order(plan, range(1, plan.scenes), workers), start=2):
             waiting.append(table)
             rows += table.num_rows
             if rows >= _ROWS_PER_GROUP:
                 writer.write_table(pa.concat_tables(waiting).cast(schema))
                 waiting, rows = [], 0
-            done += 1
             progress(done, plan.scenes)
         if waiting:
             writer.write_table(pa.concat_tables(waiting).cast(schema))
@@ -179,7 +168,7 @@ def metadata(plan: BankPlan) -> dict[str, Any]:
     scales = (CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED * plan.horizon)
     packages = ("prospect-studio", "numpy", "numba", "pysocialforce", "pyarrow")
     return {
-        "bank_version": BANK_VERSION,
+        "bank_version": _BANK_VERSION,
         **asdict(plan),
         "dt": DEFAULT_STEP,
         "scales": dict(zip(METRES, scales, strict=True)),
@@ -198,7 +187,7 @@ def read_plan(path: Path) -> BankPlan | None:
     """
     try:
         said = json.loads(_metadata_in(path))
-        if (said["bank_version"], said["dt"]) != (BANK_VERSION, DEFAULT_STEP):
+        if (said["bank_version"], said["dt"]) != (_BANK_VERSION, DEFAULT_STEP):
             return None
         if said["engine"] not in get_args(Engine):
             return None
@@ -231,7 +220,14 @@ def _metadata_in(path: Path) -> bytes:
 
 def _in_order(plan: BankPlan, numbers: range, workers: int) -> Iterator[pa.Table]:
     """The rows of each scene in turn, with at most twice as many scenes under way as workers."""
-    with _executor(plan.engine, workers) as pool:
+    # The compiled engine releases Python's interpreter lock, so its threads run at the same time;
+    # pysocialforce is plain Python and needs processes.
+    executor: Executor
+    if plan.engine == "batched":
+        executor = ThreadPoolExecutor(workers)
+    else:
+        executor = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    with executor as pool:
         under_way: deque[Future[pa.Table]] = deque()
         try:
             for number in numbers:
@@ -243,11 +239,3 @@ def _in_order(plan: BankPlan, numbers: range, workers: int) -> Iterator[pa.Table
         finally:
             for future in under_way:
                 future.cancel()
-
-
-def _executor(engine: Engine, workers: int) -> Executor:
-    # The compiled engine releases Python's interpreter lock, so its threads run at the same time;
-    # pysocialforce is plain Python and needs processes.
-    if engine == "batched":
-        return ThreadPoolExecutor(workers)
-    return ProcessPoolExecutor(workers, mp_context=get_context("spawn"))

@@ -15,7 +15,6 @@ import numpy as np
 from scenes.arrays import FloatArray
 from scenes.blocks import LANES, Block, walk_block
 from scenes.crowd import Crowd, ForceSet, Surroundings
-from scenes.forces import EXTENDED, HELBING_MOLNAR
 
 
 def walk(
@@ -45,6 +44,7 @@ def walk(
     actions, rollouts = robots.shape[:2]
     lanes, agents = actions * rollouts, crowd.people + robots.shape[3]
     paths = np.empty((lanes, crowd.steps + 1, crowd.people, 2))
+    paths[:, 0] = np.tile(crowd.starts, (actions, 1, 1))
     points = np.concatenate([np.empty((0, 2)), *surroundings.wall_points])
     wall_ends = np.cumsum([0, *map(len, surroundings.wall_points)])
     robot_of = np.ascontiguousarray(robots).reshape(lanes, *robots.shape[2:])
@@ -65,8 +65,6 @@ def walk(
             model == "extended",
             wrap_angles,
             dt,
-            EXTENDED,
-            HELBING_MOLNAR,
             paths,
         )
 

@@ -9,7 +9,8 @@ from numba import njit
 
 from scenes import forces
 from scenes.crowd import Crowd
-from scenes.forces import Extended, HelbingMolnar
+from scenes.forces import Extended, HelbingMolnar, Vector
+from scenes.lanes import lane as inlined
 
 LANES = 32
 """How many rollouts a block has: enough to fill several registers, few enough for the cache."""
@@ -53,12 +54,28 @@ def _face_goals(block: Block, people: int) -> None:
     """Set everybody's direction and distance to the goal."""
     for i in range(people):
         for lane in range(LANES):
-            ex, ey, distance = forces.unit(
+            block.ex[i, lane], block.ey[i, lane], block.distance[i, lane] = forces.unit(
                 block.goal_x[i, lane] - block.x[i, lane], block.goal_y[i, lane] - block.y[i, lane]
             )
-            block.ex[i, lane] = ex
-            block.ey[i, lane] = ey
-            block.distance[i, lane] = distance
+
+
+@inlined
+def _drive_to_goal(block: Block, i: int, lane: int, relaxation_time: float) -> Vector:
+    """The force that drives person i of one lane."""
+    return forces.drive_to_goal(
+        block.ex[i, lane],
+        block.ey[i, lane],
+        block.desired_speed[i, lane],
+        block.vx[i, lane],
+        block.vy[i, lane],
+        relaxation_time,
+    )
+
+
+@inlined
+def _apart(x: Any, y: Any, i: int, j: int, lane: int) -> Vector:
+    """The vector (x, y) of agent i minus that of agent j in one lane."""
+    return x[i, lane] - x[j, lane], y[i, lane] - y[j, lane]
 
 
 @compiled
@@ -66,44 +83,27 @@ def _add_extended(
     block: Block, i: int, fx: Lanes, fy: Lanes, points: Any, group_of: Any, wrap: bool, p: Extended
 ) -> None:
     """Add to (fx, fy) what person i feels under the `extended` model."""
-    agents = block.x.shape[0]
     sx, sy = np.zeros(LANES), np.zeros(LANES)
-    for j in range(agents):
+    for j in range(block.x.shape[0]):
         if j == i:
             continue
         # Inside the loop over lanes, this choice would cost a fifth of the speed.
         if wrap:
             for lane in range(LANES):
-                ax, ay = forces.social(
-                    block.x[i, lane] - block.x[j, lane],
-                    block.y[i, lane] - block.y[j, lane],
-                    block.vx[j, lane] - block.vx[i, lane],
-                    block.vy[j, lane] - block.vy[i, lane],
-                    p,
-                )
+                rx, ry = _apart(block.x, block.y, i, j, lane)
+                wx, wy = _apart(block.vx, block.vy, j, i, lane)
+                ax, ay = forces.social(rx, ry, wx, wy, p)
                 sx[lane] += ax
                 sy[lane] += ay
         else:
             for lane in range(LANES):
-                ax, ay = forces.social_as_in_library(
-                    block.x[i, lane] - block.x[j, lane],
-                    block.y[i, lane] - block.y[j, lane],
-                    block.vx[j, lane] - block.vx[i, lane],
-                    block.vy[j, lane] - block.vy[i, lane],
-                    p,
-                )
+                rx, ry = _apart(block.x, block.y, i, j, lane)
+                wx, wy = _apart(block.vx, block.vy, j, i, lane)
+                ax, ay = forces.social_as_in_library(rx, ry, wx, wy, p)
                 sx[lane] += ax
                 sy[lane] += ay
     for lane in range(LANES):
-        ax, ay = forces.relaxation(
-            block.ex[i, lane],
-            block.ey[i, lane],
-            block.distance[i, lane],
-            block.desired_speed[i, lane],
-            block.vx[i, lane],
-            block.vy[i, lane],
-            p,
-        )
+        ax, ay = _drive_to_goal(block, i, lane, p.relaxation_time)
         fx[lane] += ax + p.social_factor * sx[lane]
         fy[lane] += ay + p.social_factor * sy[lane]
     _add_wall_points(block, i, fx, fy, points, p)
@@ -134,14 +134,13 @@ def _add_group(
     block: Block, i: int, fx: Lanes, fy: Lanes, group_of: Any, wrap: bool, p: Extended
 ) -> None:
     """Add what ties person i to the group: coherence, repulsion and gaze."""
-    others_x, others_y = np.zeros(LANES), np.zeros(LANES)
-    others = 0
+    others_x, others_y, others = np.zeros(LANES), np.zeros(LANES), 0
     for j in range(group_of.shape[0]):
         if j == i or group_of[j] != group_of[i]:
             continue
         others += 1
         for lane in range(LANES):
-            rx, ry = block.x[i, lane] - block.x[j, lane], block.y[i, lane] - block.y[j, lane]
+            rx, ry = _apart(block.x, block.y, i, j, lane)
             ax, ay = forces.repulsion(rx, ry, p)
             fx[lane] += p.repulsion_factor * ax
             fy[lane] += p.repulsion_factor * ay
@@ -166,12 +165,11 @@ def _add_helbing_molnar(
     block: Block, i: int, fx: Lanes, fy: Lanes, dt: float, wrap: bool, p: HelbingMolnar
 ) -> None:
     """Add to (fx, fy) what person i feels of goal and people under the `helbing-molnar` model."""
-    agents = block.x.shape[0]
-    for j in range(agents):
+    for j in range(block.x.shape[0]):
         if j == i:
             continue
         for lane in range(LANES):
-            rx, ry = block.x[i, lane] - block.x[j, lane], block.y[i, lane] - block.y[j, lane]
+            rx, ry = _apart(block.x, block.y, i, j, lane)
             vx, vy = block.vx[j, lane], block.vy[j, lane]
             pace = math.sqrt(vx * vx + vy * vy) * dt
             sx, sy = pace * block.ex[j, lane], pace * block.ey[j, lane]
@@ -183,14 +181,7 @@ def _add_helbing_molnar(
             fx[lane] += p.pair_factor * ax
             fy[lane] += p.pair_factor * ay
     for lane in range(LANES):
-        ax, ay = forces.attraction(
-            block.ex[i, lane],
-            block.ey[i, lane],
-            block.desired_speed[i, lane],
-            block.vx[i, lane],
-            block.vy[i, lane],
-            p,
-        )
+        ax, ay = _drive_to_goal(block, i, lane, p.relaxation_time)
         fx[lane] += ax
         fy[lane] += ay
 
@@ -250,36 +241,23 @@ def walk_block(
     extended: bool,
     wrap: bool,
     dt: float,
-    p: Extended,
-    q: HelbingMolnar,
     paths: Any,
 ) -> None:
-    """Simulate one block, which comes empty, and write the paths of its lanes."""
-    people, steps, agents = crowd.starts.shape[1], crowd.accelerations.shape[1], block.x.shape[0]
+    """Simulate one block, which comes empty, and write its paths from step 1 on."""
+    people = crowd.starts.shape[1]
     fx, fy = np.empty((people, LANES)), np.empty((people, LANES))
     for i in range(people):
-        for lane in range(LANES):
-            k = rollout_of[lane]
-            block.x[i, lane] = crowd.starts[k, i, 0]
-            block.y[i, lane] = crowd.starts[k, i, 1]
-            block.vx[i, lane] = crowd.velocities[k, i, 0]
-            block.vy[i, lane] = crowd.velocities[k, i, 1]
-            block.goal_x[i, lane] = crowd.goals[k, i, 0]
-            block.goal_y[i, lane] = crowd.goals[k, i, 1]
-            block.desired_speed[i, lane] = crowd.desired_speeds[k, i]
-            block.max_speed[i, lane] = crowd.desired_speeds[k, i] * (
-                1.0 if extended else forces.MAX_SPEED_FACTOR
-            )
-            paths[lane_of[lane], 0, i, 0] = crowd.starts[k, i, 0]
-            paths[lane_of[lane], 0, i, 1] = crowd.starts[k, i, 1]
-    for step in range(steps):
-        for i in range(people, agents):
+        block.x[i], block.y[i] = crowd.starts[rollout_of, i].T
+        block.vx[i], block.vy[i] = crowd.velocities[rollout_of, i].T
+        block.goal_x[i], block.goal_y[i] = crowd.goals[rollout_of, i].T
+        block.desired_speed[i] = crowd.desired_speeds[rollout_of, i]
+        block.max_speed[i] = block.desired_speed[i] * (1.0 if extended else forces.MAX_SPEED_FACTOR)
+    for step in range(crowd.accelerations.shape[1]):
+        for i in range(people, block.x.shape[0]):
             for lane in range(LANES):
                 pose = robots[lane_of[lane], step, i - people]
-                block.x[i, lane] = pose[0]
-                block.y[i, lane] = pose[1]
-                block.ex[i, lane] = math.cos(pose[2])
-                block.ey[i, lane] = math.sin(pose[2])
+                block.x[i, lane], block.y[i, lane] = pose[0], pose[1]
+                block.ex[i, lane], block.ey[i, lane] = math.cos(pose[2]), math.sin(pose[2])
                 block.vx[i, lane] = pose[3] * block.ex[i, lane]
                 block.vy[i, lane] = pose[3] * block.ey[i, lane]
         _face_goals(block, people)
@@ -288,12 +266,12 @@ def walk_block(
                 fx[i, lane] = crowd.accelerations[rollout_of[lane], step, i, 0]
                 fy[i, lane] = crowd.accelerations[rollout_of[lane], step, i, 1]
             if extended:
-                _add_extended(block, i, fx[i], fy[i], points, group_of, wrap, p)
+                _add_extended(block, i, fx[i], fy[i], points, group_of, wrap, forces.EXTENDED)
             else:
-                _add_helbing_molnar(block, i, fx[i], fy[i], dt, wrap, q)
+                _add_helbing_molnar(block, i, fx[i], fy[i], dt, wrap, forces.HELBING_MOLNAR)
                 for w in range(wall_ends.shape[0] - 1):
                     wall = points[wall_ends[w] : wall_ends[w + 1]]
-                    _add_wall_gradient(block, i, fx[i], fy[i], wall, wrap, q)
+                    _add_wall_gradient(block, i, fx[i], fy[i], wall, wrap, forces.HELBING_MOLNAR)
         _advance(block, people, fx, fy, dt)
         for i in range(people):
             for lane in range(LANES):

@@ -21,28 +21,16 @@ from scenes.scene import (
     starts_of,
 )
 
-_PEOPLE_APART = 0.55
-"""Smallest distance between two people's starts, m: it leaves room for the noise of starts."""
-
-_ROBOT_APART = 0.9
-"""Smallest distance between a person's start and the robot's, m."""
-
-_WALLS_APART = 0.8
-"""Smallest distance between a person's start and a wall, m."""
-
-_SHOULDERS = (0.62, 0.75)
-"""Least and greatest distance between neighbours in a group, m."""
-
-_WALK = (MEAN_WALKING_SPEED, MEAN_WALKING_SPEED)
-_STAND = (0.0, 0.0)
-_SLOW = (0.4, 0.8)
-_STROLL = (0.9, 1.3)
-_FAST = (1.6, 1.9)
-"""Ranges of the desired speed, m/s: of most people, and of people who stand, are slow, have company
-or hurry."""
-
-_TRIES = 60
-"""How many times a party is drawn anew for want of room before it is left out."""
+_PEOPLE_APART = 0.55  # least distance between starts, m: it leaves room for the noise of starts
+_ROBOT_APART = 0.9  # least distance between a person's start and the robot's, m
+_WALLS_APART = 0.8  # least distance between a person's start and a wall, m
+_SHOULDERS = (0.62, 0.75)  # least and greatest distance between neighbours in a group, m
+_TRIES = 60  # how many times a party is drawn for want of room before it is left out
+_WALK = (MEAN_WALKING_SPEED, MEAN_WALKING_SPEED)  # range of the desired speed of most people, m/s
+_STAND = (0.0, 0.0)  # of people who stand, m/s
+_SLOW = (0.4, 0.8)  # of people who are slow, m/s
+_STROLL = (0.9, 1.3)  # of people who have company, m/s
+_FAST = (1.6, 1.9)  # of people who hurry, m/s
 
 Party = tuple[Pedestrian, ...]
 
@@ -54,20 +42,15 @@ Party = tuple[Pedestrian, ...]
 class Along:
     """A party that walks along the robot's way, or stands in it.
 
-    Attributes:
-        ahead: how far ahead of the robot it starts, m; negative is behind.
-        way: +1 to walk the robot's way, -1 to come towards it.
-        speed: desired speed, m/s.
-        sizes: fewest and most members.
-        aside: how far to the left of the robot's straight way its middle starts, m; None puts it
-            anywhere in the width of the place.
+    Its middle starts `aside` to the left of the robot's straight way; None puts it anywhere in the
+    width of the place.
     """
 
-    ahead: Range
-    way: float
-    speed: Range = _WALK
-    sizes: tuple[int, int] = (1, 1)
-    aside: Range | None = None
+    ahead: Range  # how far ahead of the robot it starts, m; negative is behind
+    way: float  # +1 to walk the robot's way, -1 to come towards it
+    speed: Range = _WALK  # desired, m/s
+    sizes: tuple[int, int] = (1, 1)  # fewest and most members
+    aside: Range | None = None  # m
 
     def draw(self, rng: np.random.Generator, place: DrawnPlace) -> Party:
         """Draw a party of this kind."""
@@ -83,15 +66,10 @@ class Along:
 
 @dataclass(frozen=True)
 class Across:
-    """A party that crosses the robot's way; it stays empty in a place without a street.
+    """A party that crosses the robot's way; it stays empty in a place without a street."""
 
-    Attributes:
-        early: how long before the robot the party gets to where their paths cross, s.
-        sizes: fewest and most members.
-    """
-
-    early: Range
-    sizes: tuple[int, int] = (1, 1)
+    early: Range  # how long before the robot the party gets to where their paths cross, s
+    sizes: tuple[int, int] = (1, 1)  # fewest and most members
 
     def draw(self, rng: np.random.Generator, place: DrawnPlace) -> Party:
         """Draw a party of this kind."""

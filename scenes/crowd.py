@@ -20,20 +20,13 @@ class Crowd(NamedTuple):
     """How P people set out in each of K rollouts, and what shakes them over T steps.
 
     It is a tuple because compiled code takes tuples.
-
-    Attributes:
-        starts: [K, P, 2], m.
-        velocities: [K, P, 2], at time 0, m/s.
-        goals: [K, P, 2], m.
-        desired_speeds: [K, P], m/s; 0 is a person who stands.
-        accelerations: [K, T, P, 2], the fluctuation of each step, m/s².
     """
 
-    starts: FloatArray
-    velocities: FloatArray
-    goals: FloatArray
-    desired_speeds: FloatArray
-    accelerations: FloatArray
+    starts: FloatArray  # [K, P, 2], m
+    velocities: FloatArray  # [K, P, 2], at time 0, m/s
+    goals: FloatArray  # [K, P, 2], m
+    desired_speeds: FloatArray  # [K, P], m/s; 0 is a person who stands
+    accelerations: FloatArray  # [K, T, P, 2], the fluctuation of each step, m/s²
 
     @property
     def people(self) -> int:
@@ -48,15 +41,10 @@ class Crowd(NamedTuple):
 
 @dataclass(frozen=True)
 class Surroundings:
-    """What stays the same in every rollout of a scene.
+    """What stays the same in every rollout of a scene."""
 
-    Attributes:
-        wall_points: for each wall, points along it, [n, 2], m.
-        groups: indices of people who walk together.
-    """
-
-    wall_points: tuple[FloatArray, ...]
-    groups: tuple[tuple[int, ...], ...]
+    wall_points: tuple[FloatArray, ...]  # for each wall, points along it, [n, 2], m
+    groups: tuple[tuple[int, ...], ...]  # indices of people who walk together
 
     @property
     def group_of(self) -> IntArray:

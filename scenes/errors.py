@@ -1,5 +1,7 @@
 """What is raised when the caller's input is wrong."""
 
+from pathlib import Path
+
 LARGEST_SEED = 2**63 - 1
 """Largest seed: seeds fit the 64-bit whole numbers of Parquet and of recordings."""
 
@@ -11,9 +13,18 @@ class InputError(ValueError):
     """
 
 
-def why_unreadable(error: OSError | UnicodeDecodeError) -> str | None:
-    """Why the text of a file could not be read, in a few words."""
-    return error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+def checked_text(file: Path, encoding: str, problem: str = "cannot be read") -> str:
+    """The text of a file.
+
+    Raises:
+        InputError: if it cannot be read; the message states the problem and says why.
+    """
+    try:
+        return file.read_text(encoding)
+    except OSError as error:
+        raise InputError(f"{file}: {problem}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{file}: {problem}: not UTF-8 text") from None
 
 
 def check_whole(field: str, value: int, least: int, most: int) -> None:

@@ -22,11 +22,9 @@ import numpy as np
 from pydantic import ValidationError
 
 from scenes.arrays import FloatArray, IntArray
-from scenes.errors import InputError, why_unreadable
+from scenes.errors import InputError, checked_text
 from scenes.scene import SHORTEST_WALL, Position, Wall
 from scenes.scene_text import one_line
-
-_COLUMNS = ("frame", "person", "x", "z", "y", "vx", "vz", "vy")
 
 STANDING_SPEED = 0.2
 """A person of a recording who is slower than this stands, m/s."""
@@ -34,30 +32,21 @@ STANDING_SPEED = 0.2
 ANNOTATION_STEP = 0.4
 """Time between two annotated frames, s."""
 
-_MARGIN = 1e-6
-"""Walls are lengthened to this much more than the shortest length allowed, against rounding, m."""
+_COLUMNS = ("frame", "person", "x", "z", "y", "vx", "vz", "vy")
+_MARGIN = 1e-6  # how much longer than the shortest wall a lengthened one is, against rounding, m
 
 
 @dataclass(frozen=True)
 class Tracks:
-    """A recording: N annotations, sorted by frame and then by person.
-
-    Attributes:
-        frames: [N], number of the video frame.
-        people: [N], number of the person.
-        positions: [N, 2], m.
-        velocities: [N, 2], m/s.
-        walls: walls that stand for the lines and circles of the map.
-        groups: numbers of the people who belong together, in the order of the file.
-    """
+    """A recording: N annotations, sorted by frame and then by person."""
 
     name: str
-    frames: IntArray
-    people: IntArray
-    positions: FloatArray
-    velocities: FloatArray
-    walls: tuple[Wall, ...]
-    groups: tuple[tuple[int, ...], ...]
+    frames: IntArray  # [N], number of the video frame
+    people: IntArray  # [N], number of the person
+    positions: FloatArray  # [N, 2], m
+    velocities: FloatArray  # [N, 2], m/s
+    walls: tuple[Wall, ...]  # they stand for the lines and circles of the map
+    groups: tuple[tuple[int, ...], ...]  # numbers of people who belong together, as in the file
 
 
 def read_tracks(path: Path) -> Tracks:
@@ -89,7 +78,7 @@ def read_tracks(path: Path) -> Tracks:
 
 
 def _read_table(file: Path) -> FloatArray:
-    lines = [line for line in _read_text(file).splitlines() if line.strip()]
+    lines = [line for line in checked_text(file, "utf-8-sig").splitlines() if line.strip()]
     if not lines:
         raise InputError(f"{file}: no annotations in it")
     columns = len(lines[0].split())
@@ -121,7 +110,7 @@ def _read_groups(file: Path) -> tuple[tuple[int, ...], ...]:
     if not file.exists():
         return ()
     groups = []
-    for number, line in enumerate(_read_text(file).splitlines(), start=1):
+    for number, line in enumerate(checked_text(file, "utf-8-sig").splitlines(), start=1):
         try:
             groups.append(tuple(int(word) for word in line.split()))
         except ValueError:
@@ -136,7 +125,7 @@ def _read_map(file: Path) -> tuple[Wall, ...]:
     if not file.exists():
         return ()
     try:
-        root = ElementTree.fromstring(_read_text(file))
+        root = ElementTree.fromstring(checked_text(file, "utf-8-sig"))
     except ElementTree.ParseError as error:
         raise InputError(f"{file}: not XML: {error}") from None
     try:
@@ -153,13 +142,6 @@ def _walls(file: Path, root: ElementTree.Element) -> Iterator[Wall]:
     for circle in root.findall(".//{*}Circle"):
         x, y, radius = (_number(file, circle, key) for key in ("x", "y", "radius"))
         yield from _polygon(x, y, radius)
-
-
-def _read_text(file: Path) -> str:
-    try:
-        return file.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{file}: cannot be read: {why_unreadable(error)}") from None
 
 
 def _number(file: Path, element: ElementTree.Element, key: str) -> float:

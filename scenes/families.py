@@ -20,15 +20,10 @@ from scenes.streams import scene_stream
 
 @dataclass(frozen=True)
 class Family:
-    """A kind of place.
+    """A kind of place."""
 
-    Attributes:
-        description: what it looks like, in one line.
-        patterns: how people can meet there; the first is taken if none is asked for.
-    """
-
-    description: str
-    patterns: tuple[str, ...]
+    description: str  # what it looks like, in one line
+    patterns: tuple[str, ...]  # how people can meet there; the first is taken if none is asked for
 
 
 PATTERNS: Mapping[str, str] = MappingProxyType(
@@ -85,7 +80,14 @@ def load_scene(
         InputError: if there is no such family, the family has no such pattern, or a number is out
             of range.
     """
-    pattern = _checked_pattern(family_or_name, pattern)
+    _check_known("family", family_or_name, FAMILIES)
+    patterns = FAMILIES[family_or_name].patterns
+    pattern = patterns[0] if pattern is None else pattern
+    if pattern not in patterns:
+        raise InputError(
+            f"pattern: {family_or_name} has no pattern {pattern!r}: choose from "
+            f"{', '.join(patterns)}"
+        )
     check_whole("seed", seed, 0, LARGEST_SEED)
     check_whole("number", number, 0, LARGEST_NUMBER)
     rng = scene_stream(seed, number)
@@ -132,18 +134,6 @@ def sample_scene(
 
 
 # What the caller may ask for
-
-
-def _checked_pattern(family: str, pattern: str | None) -> str:
-    _check_known("family", family, FAMILIES)
-    patterns = FAMILIES[family].patterns
-    if pattern is None:
-        return patterns[0]
-    if pattern not in patterns:
-        raise InputError(
-            f"pattern: {family} has no pattern {pattern!r}: choose from {', '.join(patterns)}"
-        )
-    return pattern
 
 
 def _choices(

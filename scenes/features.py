@@ -25,7 +25,7 @@ PROGRESS_SPEED = 1.0
 """How fast the robot nears its goal, over the whole horizon, at progress 1, m/s."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Outcomes:
     """What came of K rollouts under each of A actions.
 
@@ -53,7 +53,7 @@ def describe(
     """Describe rollouts by their features.
 
     Args:
-        scene: what has the walls and the robot's goal.
+        scene: has the walls and the robot's goal.
         robot: [A, K, T+1, 3], x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m.
@@ -85,4 +85,10 @@ def describe(
         ],
         axis=-1,
     )
-    return Outcomes(features, clearance, deviation, progress, first)
+    return Outcomes(
+        features=features,
+        clearance_m=clearance,
+        deviation_m=deviation,
+        progress_m=progress,
+        contact_step=first,
+    )

@@ -23,63 +23,37 @@ Vector = tuple[float, float]
 class Extended(NamedTuple):
     """Parameters of the `extended` force set.
 
-    Attributes:
-        relaxation_time: time in which a person takes up the desired velocity, s.
-        goal_threshold: distance to the goal within which a person brakes, m.
-        social_factor: strength of the force between people, m/s².
-        velocity_weight: λ, how much relative velocity turns the direction of interaction, s/m.
-        range_per_interaction: γ, range of the force per length of the interaction vector, m.
-        angular_width: n', decay with angle of the part that brakes, 1/(m rad).
-        angular_width_turn: n, decay with angle of the part that turns, 1/(m rad).
-        wall_factor: strength of a wall point, m/s².
-        wall_range: σ, decay of the wall force, m.
-        wall_threshold: a wall is felt up to a gap of this plus the body radius, m.
-        body_radius: radius at which a person meets a wall, m.
-        coherence_factor: strength of the pull to the group's centre, 1/s².
-        repulsion_factor: strength of the push between members too close, 1/s².
-        repulsion_threshold: distance within which members push one another, m.
-        gaze_factor: strength of the force that keeps the group in view, m/s².
+    pysocialforce has one more, a distance to the goal within which people brake. It is less than
+    `ARRIVAL_DISTANCE`, so whoever is as near as that stands already.
     """
 
-    relaxation_time: float = 0.5
-    goal_threshold: float = 0.2
-    social_factor: float = 5.1
-    velocity_weight: float = 2.0
-    range_per_interaction: float = 0.35
-    angular_width: float = 3.0
-    angular_width_turn: float = 2.0
-    wall_factor: float = 10.0
-    wall_range: float = 0.2
-    wall_threshold: float = 3.0
-    body_radius: float = 0.35
-    coherence_factor: float = 1.0
-    repulsion_factor: float = 1.0
-    repulsion_threshold: float = 0.55
-    gaze_factor: float = 1.0
+    relaxation_time: float = 0.5  # in which a person takes up the desired velocity, s
+    social_factor: float = 5.1  # strength of the force between people, m/s²
+    velocity_weight: float = 2.0  # λ, how much relative velocity turns the interaction, s/m
+    range_per_interaction: float = 0.35  # γ, range per length of the interaction vector, m
+    angular_width: float = 3.0  # n', decay with angle of the part that brakes, 1/(m rad)
+    angular_width_turn: float = 2.0  # n, decay with angle of the part that turns, 1/(m rad)
+    wall_factor: float = 10.0  # strength of a wall point, m/s²
+    wall_range: float = 0.2  # σ, decay of the wall force, m
+    wall_threshold: float = 3.0  # a wall is felt up to a gap of this plus the body radius, m
+    body_radius: float = 0.35  # at which a person meets a wall, m
+    coherence_factor: float = 1.0  # strength of the pull to the group's centre, 1/s²
+    repulsion_factor: float = 1.0  # strength of the push between members too close, 1/s²
+    repulsion_threshold: float = 0.55  # within which members push one another, m
+    gaze_factor: float = 1.0  # strength of the force that keeps the group in view, m/s²
 
 
 class HelbingMolnar(NamedTuple):
-    """Parameters of the `helbing-molnar` force set.
+    """Parameters of the `helbing-molnar` force set."""
 
-    Attributes:
-        relaxation_time: τ, time in which a person takes up the desired velocity, s.
-        pair_factor: strength of the force between people, dimensionless.
-        pair_potential: V⁰, height of the potential around a person, m²/s².
-        pair_range: σ, decay of that potential, m.
-        sight_angle: φ, half the angle of sight, rad.
-        out_of_sight: c, weight of forces from behind a person, dimensionless.
-        wall_potential: U⁰, height of the potential of a wall, m²/s².
-        wall_range: R, decay of that potential, m.
-    """
-
-    relaxation_time: float = 0.5
-    pair_factor: float = 1.5
-    pair_potential: float = 2.1
-    pair_range: float = 0.3
-    sight_angle: float = math.radians(100.0)
-    out_of_sight: float = 0.5
-    wall_potential: float = 10.0
-    wall_range: float = 0.2
+    relaxation_time: float = 0.5  # τ, in which a person takes up the desired velocity, s
+    pair_factor: float = 1.5  # strength of the force between people, dimensionless
+    pair_potential: float = 2.1  # V⁰, height of the potential around a person, m²/s²
+    pair_range: float = 0.3  # σ, decay of that potential, m
+    sight_angle: float = math.radians(100.0)  # φ, half the angle of sight, rad
+    out_of_sight: float = 0.5  # c, weight of forces from behind a person, dimensionless
+    wall_potential: float = 10.0  # U⁰, height of the potential of a wall, m²/s²
+    wall_range: float = 0.2  # R, decay of that potential, m
 
 
 EXTENDED = Extended()
@@ -111,15 +85,14 @@ def unit(x: float, y: float) -> tuple[float, float, float]:
 
 
 @lane
-def relaxation(
-    ex: float, ey: float, distance: float, speed: float, vx: float, vy: float, p: Extended
+def drive_to_goal(
+    ex: float, ey: float, speed: float, vx: float, vy: float, relaxation_time: float
 ) -> Vector:
-    """Pull towards the desired velocity, or to a halt at the goal.
+    """Pull towards the desired velocity, (ex, ey) being the direction to the goal.
 
-    This is the driving term of Moussaïd et al. 2009; (ex, ey) is the direction to the goal.
+    This is the driving term of Moussaïd et al. 2009, and of Helbing and Molnár 1995, eq. 2.
     """
-    pull = speed if distance > p.goal_threshold else 0.0
-    return (pull * ex - vx) / p.relaxation_time, (pull * ey - vy) / p.relaxation_time
+    return (speed * ex - vx) / relaxation_time, (speed * ey - vy) / relaxation_time
 
 
 @lane
@@ -223,14 +196,6 @@ def gaze(ex: float, ey: float, goal_distance: float, cx: float, cy: float) -> Ve
     ahead = ex * cx + ey * cy
     pull = ahead / (goal_distance if goal_distance > 0.0 else 1e30)
     return pull * ex, pull * ey
-
-
-@lane
-def attraction(
-    ex: float, ey: float, speed: float, vx: float, vy: float, p: HelbingMolnar
-) -> Vector:
-    """Pull towards the desired velocity (Helbing and Molnár 1995, eq. 2)."""
-    return (speed * ex - vx) / p.relaxation_time, (speed * ey - vy) / p.relaxation_time
 
 
 @lane

@@ -1,4 +1,7 @@
-"""Lengths, and distances between points and straight segments."""
+"""Lengths, and distances between points and straight segments.
+
+A segment is given by its two ends; everything is in m.
+"""
 
 import math
 
@@ -21,15 +24,7 @@ def directions(count: int) -> FloatArray:
 
 
 def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
-    """The point of each segment that is nearest to each point.
-
-    Args:
-        points: [..., 2], m.
-        segments: [W, 2, 2], both ends of each segment, m.
-
-    Returns:
-        [..., W, 2], m.
-    """
+    """The point of each segment, [W, 2, 2], nearest to each point, [..., 2]: [..., W, 2]."""
     x, y = points[..., 0, None], points[..., 1, None]  # (..., 1)
     x0, y0 = segments[:, 0, 0], segments[:, 0, 1]  # (W,)
     along_x, along_y = segments[:, 1, 0] - x0, segments[:, 1, 1] - y0
@@ -39,15 +34,7 @@ def nearest_on_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
 
 
 def distance_to_segments(points: FloatArray, segments: FloatArray) -> FloatArray:
-    """Distance of each point to each segment.
-
-    Args:
-        points: [..., 2], m.
-        segments: [W, 2, 2], both ends of each segment, m.
-
-    Returns:
-        [..., W], m.
-    """
+    """Distance of each point, [..., 2], to each segment, [W, 2, 2]: [..., W]."""
     return lengths(nearest_on_segments(points, segments) - points[..., None, :])
 
 

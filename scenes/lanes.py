@@ -57,23 +57,21 @@ def exp_of_negative(x: float) -> float:
     return p * np.int64(bits).view(np.float64) if felt else 0.0
 
 
-def _arctangent_polynomial(terms: int) -> tuple[float, ...]:
-    """Coefficients of atan(t)/t as a polynomial in t² on |t| ≤ tan(π/8), by Chebyshev fit."""
-    edge = math.tan(math.pi / 8) ** 2
+_TAN_EIGHTH = math.tan(math.pi / 8)
+
+
+def _arctangent_polynomial() -> list[float]:
+    """Eleven coefficients of atan(t)/t as a polynomial in t² on |t| ≤ tan(π/8), Chebyshev's fit."""
 
     def ratio(square: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
         t = np.sqrt(np.maximum(square, 1e-300))
         return np.arctan(t) / t
 
-    fit = np.polynomial.Chebyshev.interpolate(ratio, terms - 1, domain=[0.0, edge])
-    return tuple(float(c) for c in fit.convert(kind=np.polynomial.Polynomial).coef)
+    fit = np.polynomial.Chebyshev.interpolate(ratio, 10, domain=[0.0, _TAN_EIGHTH**2])
+    return list(map(float, fit.convert(kind=np.polynomial.Polynomial).coef))
 
 
-_A0, _A1, _A2, _A3, _A4, _A5, _A6, _A7, _A8, _A9, _A10 = _arctangent_polynomial(11)
-_TAN_EIGHTH = math.tan(math.pi / 8)
-_QUARTER_TURN = math.pi / 2
-_EIGHTH_TURN = math.pi / 4
-_HALF_TURN = math.pi
+_A0, _A1, _A2, _A3, _A4, _A5, _A6, _A7, _A8, _A9, _A10 = _arctangent_polynomial()
 
 
 @lane
@@ -94,7 +92,7 @@ def angle_of(y: float, x: float) -> float:
     p = _A6 + s * (_A7 + s * (_A8 + s * (_A9 + s * _A10)))
     p = _A1 + s * (_A2 + s * (_A3 + s * (_A4 + s * (_A5 + s * p))))
     angle = t * (_A0 + s * p)
-    angle = angle + _EIGHTH_TURN if beyond else angle
-    angle = _QUARTER_TURN - angle if steep else angle
-    angle = _HALF_TURN - angle if x < 0.0 else angle
+    angle = angle + math.pi / 4 if beyond else angle
+    angle = math.pi / 2 - angle if steep else angle
+    angle = math.pi - angle if x < 0.0 else angle
     return math.copysign(angle, y)

@@ -18,15 +18,9 @@ from scenes.errors import InputError
 from scenes.scene import Scene
 from scenes.streams import rollout_stream
 
-TRUNCATION = 2.0
-"""How many standard deviations desired speeds and starts stray at most, dimensionless."""
-
-SLOWEST_WALK = 0.1
-"""Least desired speed of a person who walks, m/s."""
-
-NOISE_STEP = 0.1
-"""Step for which the standard deviation of the fluctuation is given, s."""
-
+_TRUNCATION = 2.0  # how many standard deviations desired speeds and starts stray at most
+_SLOWEST_WALK = 0.1  # least desired speed of a person who walks, m/s
+_NOISE_STEP = 0.1  # step for which the standard deviation of the fluctuation is given, s
 _STANDARD = NormalDist()
 
 
@@ -73,32 +67,17 @@ NO_NOISE = Noise(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class Disturbance:
-    """The random numbers of K rollouts over T steps, in physical units.
-
-    Attributes:
-        crowd: how the people set out, and their fluctuations.
-        robot_speed: [K, T], relative error of the robot's speed, dimensionless.
-        robot_turn: [K, T], error of its turn rate at 1 m/s, rad/s.
-    """
+    """The random numbers of K rollouts over T steps, in physical units."""
 
     crowd: Crowd
-    robot_speed: FloatArray
-    robot_turn: FloatArray
+    robot_speed: FloatArray  # [K, T], relative error of the robot's speed, dimensionless
+    robot_turn: FloatArray  # [K, T], error of its turn rate at 1 m/s, rad/s
 
 
 def disturb(
     scene: Scene, noise: Noise, rollouts: int, steps: int, dt: float, seed: int
 ) -> Disturbance:
-    """Draw the noise of all rollouts of a scene.
-
-    Args:
-        scene: what is shaken; its number keys the noise.
-        noise: how strongly it is shaken.
-        rollouts: K.
-        steps: T.
-        dt: length of a step, s.
-        seed: 0 to 2⁶³ - 1.
-    """
+    """Draw the noise of K rollouts of a scene over T steps of dt s; its number keys the noise."""
     people = len(scene.pedestrians)
     starts = np.empty((rollouts, people, 2))  # in standard deviations, until `_set_out`
     goals = np.empty((rollouts, people, 2))
@@ -114,7 +93,7 @@ def disturb(
         errors[k], fluctuations[k] = each_step[:, 0], each_step[:, 1:]
 
     crowd = _set_out(scene, noise, starts, goals, speeds)
-    shake = noise.acceleration * math.sqrt(NOISE_STEP / dt) * (crowd.desired_speeds > 0.0)
+    shake = noise.acceleration * math.sqrt(_NOISE_STEP / dt) * (crowd.desired_speeds > 0.0)
     errors = _correlate(errors, dt, noise.robot_memory)
     return Disturbance(
         crowd=crowd._replace(accelerations=shake[:, None, :, None] * fluctuations),
@@ -128,14 +107,13 @@ def _set_out(
 ) -> Crowd:
     """The crowd at time 0, from standardised random numbers; its fluctuations are still missing."""
     people = scene.pedestrians
-    rollouts = len(starts)
     nominal_start = scene.starts
     nominal_goal = np.array([person.goal for person in people]).reshape(-1, 2)
     nominal_speed = np.array([person.desired_speed for person in people])
     walks = nominal_speed > 0.0
 
-    start = nominal_start + noise.start * np.clip(starts, -TRUNCATION, TRUNCATION)
-    speed = np.maximum(nominal_speed + noise.desired_speed * speeds, SLOWEST_WALK)
+    start = nominal_start + noise.start * np.clip(starts, -_TRUNCATION, _TRUNCATION)
+    speed = np.maximum(nominal_speed + noise.desired_speed * speeds, _SLOWEST_WALK)
     speed = np.where(walks, speed, 0.0)
     # The goal of a person who stands means nothing, but it must not be where the person is:
     # pysocialforce divides by the distance to the goal.
@@ -150,8 +128,7 @@ def _set_out(
             velocity[:, index] = _faster_by(
                 np.array(person.velocity), speed[:, index] - nominal_speed[index]
             )
-    nothing = np.zeros((rollouts, 0, len(people), 2))
-    return Crowd(start, velocity, goal, speed, nothing)
+    return Crowd(start, velocity, goal, speed, np.zeros((len(starts), 0, len(people), 2)))
 
 
 def _faster_by(recorded: FloatArray, difference: FloatArray) -> FloatArray:
@@ -162,8 +139,8 @@ def _faster_by(recorded: FloatArray, difference: FloatArray) -> FloatArray:
 
 
 def _truncated_normal(uniform: FloatArray) -> FloatArray:
-    """Standard normal numbers within `TRUNCATION`, by inversion of the distribution."""
-    lowest = _STANDARD.cdf(-TRUNCATION)
+    """Standard normal numbers within `_TRUNCATION`, by inversion of the distribution."""
+    lowest = _STANDARD.cdf(-_TRUNCATION)
     within = lowest + (1.0 - 2.0 * lowest) * uniform
     return np.array([_STANDARD.inv_cdf(p) for p in within])
 

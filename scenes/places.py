@@ -14,22 +14,14 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class DrawnPlace:
-    """A place as it was drawn for one scene.
-
-    Attributes:
-        robot: the robot's task.
-        half_width: how far from the axis y = 0 people start at most who walk along it, m.
-        gate: half the width of the opening at x = 0 that everybody must pass, m; None without one.
-        street: lowest and highest x at which people cross that axis, m; None where nobody can.
-        spread: how far people's directions stray from the axes at most, rad.
-    """
+    """A place as it was drawn for one scene; None stands for what is missing."""
 
     robot: Robot
     walls: tuple[Wall, ...]
-    half_width: float
-    gate: float | None = None
-    street: Range | None = None
-    spread: float = 0.0
+    half_width: float  # how far from the axis y = 0 people start at most who walk along it, m
+    gate: float | None = None  # half the width of the opening at x = 0 that everybody must pass, m
+    street: Range | None = None  # least and greatest x at which people cross y = 0, m
+    spread: float = 0.0  # how far people's directions stray from the axes at most, rad
 
 
 def _corridor(rng: np.random.Generator) -> DrawnPlace:

@@ -75,9 +75,8 @@ class SocialForce(library.SocialForce):  # type: ignore[misc]
         reach = self.config("gamma") * length
         brake = np.exp(-distance / reach - np.square(self.config("n_prime") * reach * angle))
         turn = np.exp(-distance / reach - np.square(self.config("n") * reach * angle))
-        force = brake[:, None] * direction - (np.sign(angle) * turn)[
-            :, None
-        ] * stateutils.left_normal(direction)
+        turn = (np.sign(angle) * turn)[:, None] * stateutils.left_normal(direction)
+        force = brake[:, None] * direction - turn
         total: FloatArray = np.sum(force.reshape((self.peds.size(), -1, 2)), axis=1) * self.factor
         return total
 
@@ -122,8 +121,7 @@ class SmoothPotential(MendedPotential):
             outward = np.nan_to_num(r / near) + np.nan_to_num((r - step) / far)
         slope = -self.v0 / self.sigma * np.exp(-b / self.sigma)
         gradient: FloatArray = slope * (near + far) / (4.0 * np.maximum(b, 1e-9)) * outward
-        np.fill_diagonal(gradient[..., 0], 0.0)
-        np.fill_diagonal(gradient[..., 1], 0.0)
+        gradient[np.diag_indices(len(gradient))] = 0.0
         return gradient
 
 
@@ -164,9 +162,8 @@ class SpaceRepulsiveForce(library.SpaceRepulsiveForce):  # type: ignore[misc]
         potential = SmoothSpacePotential(
             self.scene.get_obstacles(), u0=self.config("u0"), r=self.config("r")
         )
-        total: FloatArray = (
-            np.sum(-1.0 * potential.grad_r_aB(self.peds.state), axis=1) * self.factor
-        )
+        force = -1.0 * potential.grad_r_aB(self.peds.state)
+        total: FloatArray = np.sum(force, axis=1) * self.factor
         return total
 
 
@@ -198,15 +195,13 @@ def walk(
     dt: float,
 ) -> FloatArray:
     """Let the crowd walk, once for each robot path; see `scenes.batched.walk`."""
-    actions, rollouts, _, _, _ = robots.shape
-    paths = np.empty((actions, rollouts, crowd.steps + 1, crowd.people, 2))
+    paths = np.empty((*robots.shape[:2], crowd.steps + 1, crowd.people, 2))
     if crowd.people == 0:
         return paths
-    for action in range(actions):
-        for rollout in range(rollouts):
-            paths[action, rollout] = _walk_once(
-                crowd, rollout, surroundings, robots[action, rollout], model, wrap_angles, dt
-            )
+    for action, rollout in np.ndindex(*robots.shape[:2]):
+        paths[action, rollout] = _walk_once(
+            crowd, rollout, surroundings, robots[action, rollout], model, wrap_angles, dt
+        )
     return paths
 
 

@@ -81,12 +81,11 @@ def _stopped_by_walls(path: FloatArray, walls: FloatArray) -> FloatArray:
         return path
     moves = lengths(np.diff(path[..., :2], axis=2)).max(initial=0.0)
     pieces = max(1, math.ceil(moves / ROBOT_RADIUS))
+    fine = path
     if pieces > 1:
         share = np.arange(pieces)[:, None] / pieces
         between = path[:, :, :-1, None] * (1.0 - share) + path[:, :, 1:, None] * share
         fine = np.concatenate([between.reshape(*path.shape[:2], -1, 4), path[:, :, -1:]], axis=2)
-    else:
-        fine = path
     touches = distance_to_walls(fine[..., :2], walls) < ROBOT_RADIUS
     last = np.where(touches.any(axis=-1), touches.argmax(axis=-1), fine.shape[2])  # (A, K)
     place = np.minimum(np.arange(path.shape[2]) * pieces, last[..., None])  # (A, K, T+1)

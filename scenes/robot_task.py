@@ -8,17 +8,10 @@ from scenes.ewap import STANDING_SPEED
 from scenes.geometry import directions, distance_to_people, distance_to_walls
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, ROBOT_TASK, Position, Robot
 
-_ROBOT_APART = 1.5
-"""Smallest distance from a start that is chosen for the robot to a person, m."""
-
-_ROBOT_NEAR = 5.0
-"""Largest distance from such a start to the nearest person, if there is room, m."""
-
-_SHORTEST_TASK = 1.0
-"""Smallest distance from such a start to a goal that is given, m."""
-
-_NARROW_PASS = 1.3
-"""Distance between the centres of a robot and a person who narrowly pass, m."""
+_ROBOT_APART = 1.5  # least distance from a start that is chosen for the robot to a person, m
+_ROBOT_NEAR = 5.0  # greatest distance from such a start to the nearest person, if there is room, m
+_SHORTEST_TASK = 1.0  # least distance from such a start to a goal that is given, m
+_NARROW_PASS = 1.3  # distance between the centres of a robot and a person who narrowly pass, m
 
 
 def robot_task(

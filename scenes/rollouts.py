@@ -8,10 +8,10 @@ from typing import Literal, get_args
 import numpy as np
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.arrays import BoolArray, FloatArray, IntArray
+from scenes.arrays import BoolArray, FloatArray
 from scenes.crowd import ForceSet, Walk, surroundings_of
 from scenes.errors import LARGEST_SEED, InputError, check_whole
-from scenes.features import describe
+from scenes.features import Outcomes, describe
 from scenes.noise import Noise, disturb
 from scenes.robot import Limits, drive
 from scenes.scene import Pedestrian, Robot, Scene
@@ -32,21 +32,17 @@ LONGEST_HORIZON = 60.0
 """Longest simulated time, s: no robot holds one command for longer."""
 
 
-@dataclass(frozen=True)
-class Rollouts:
+@dataclass(frozen=True, kw_only=True)
+class Rollouts(Outcomes):
     """K rollouts of one scene under each of A actions, over T steps, among P pedestrians.
 
-    All that stands before `robot` is what `simulate` was given.
+    They have the `features` and all else that `scenes.features.Outcomes` describes, and what
+    `simulate` was given.
 
     Attributes:
         robot: [A, K, T+1, 3]: x and y in m, heading in rad.
         pedestrians: [A, K, T+1, P, 2], m.
         without_robot: [K, T+1, P, 2], m: the same people under the same noise without the robot.
-        features: [A, K, 5], scaled, in the order of `FEATURES`.
-        clearance_m: [A, K], m; `scenes.features.Outcomes` says what this and the following are.
-        deviation_m: [A, K], m.
-        progress_m: [A, K], m.
-        contact_step: [A, K], -1 without contact.
     """
 
     scene: Scene
@@ -61,11 +57,6 @@ class Rollouts:
     robot: FloatArray
     pedestrians: FloatArray
     without_robot: FloatArray
-    features: FloatArray
-    clearance_m: FloatArray
-    deviation_m: FloatArray
-    progress_m: FloatArray
-    contact_step: IntArray
 
     @property
     def count(self) -> int:
@@ -136,8 +127,7 @@ def simulate(
     Raises:
         InputError: if an argument is out of range.
     """
-    steps = _check(actions, rollouts, seed, engine, model, horizon, dt, threads)
-    _check_size(len(actions) * rollouts * (steps + 1), len(scene.pedestrians))
+    steps = _check(scene, actions, rollouts, seed, engine, model, horizon, dt, threads)
     disturbance = disturb(scene, noise, rollouts, steps, dt, seed)
     driven = drive(scene, actions, disturbance, limits, dt)  # (A, K, T+1, 4)
     no_robot = np.empty((1, rollouts, steps + 1, 0, 4))
@@ -186,15 +176,8 @@ def _walk_of(engine: Engine, threads: int | None) -> Walk:
     return reference.walk
 
 
-def _check_size(moments: int, people: int) -> None:
-    if moments * people > MOST_POSITIONS:
-        raise InputError(
-            f"actions × rollouts × steps × pedestrians: {moments * people:,} is not allowed: at "
-            f"most {MOST_POSITIONS:,}; take fewer rollouts or a shorter horizon"
-        )
-
-
 def _check(
+    scene: Scene,
     actions: tuple[MetaAction, ...],
     rollouts: int,
     seed: int,
@@ -225,4 +208,10 @@ def _check(
     steps = round(horizon / dt)
     if abs(steps * dt - horizon) > 1e-6:
         raise InputError(f"horizon: {horizon} s is not allowed: a multiple of the step, {dt:g} s")
+    positions = len(actions) * rollouts * (steps + 1) * len(scene.pedestrians)
+    if positions > MOST_POSITIONS:
+        raise InputError(
+            f"actions × rollouts × steps × pedestrians: {positions:,} is not allowed: at most "
+            f"{MOST_POSITIONS:,}; take fewer rollouts or a shorter horizon"
+        )
     return steps

@@ -9,7 +9,7 @@ from typing import Any
 import tomli_w
 from pydantic import TypeAdapter, ValidationError
 
-from scenes.errors import InputError, why_unreadable
+from scenes.errors import InputError, checked_text
 from scenes.scene import Scene
 
 _SCENE = TypeAdapter(Scene)
@@ -24,11 +24,7 @@ def scene_to_toml(scene: Scene) -> str:
 
 
 def scene_from_toml(text: str, source: str = "scene") -> Scene:
-    """Read a scene from TOML text.
-
-    Args:
-        text: the TOML.
-        source: what messages call the text, for example the file's name.
+    """Read a scene from TOML text, which messages call by the name of its source.
 
     Raises:
         InputError: if the text is not TOML, has an unknown or missing key or a value that is not
@@ -50,18 +46,15 @@ def scene_from_file(path: Path) -> Scene:
     Raises:
         InputError: if the file cannot be read, or its text is not a scene.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = why_unreadable(error)
-        raise InputError(f"{path}: cannot be read as a scene: {reason}") from None
+    text = checked_text(path, "utf-8", "cannot be read as a scene")
     return scene_from_toml(text, source=str(path))
 
 
 def one_line(error: ValidationError) -> str:
     """The first complaint of a failed validation: the field, what is allowed, what was given."""
     first, others = error.errors()[0], error.error_count() - 1
-    field = _dotted(first["loc"])
+    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]]
+    field = "".join(parts).removeprefix(".")  # for example walls[0].start
     message = first["msg"].removeprefix("Value error, ")
     if first["type"] == "value_error":
         said = message
@@ -73,12 +66,6 @@ def one_line(error: ValidationError) -> str:
         said = f"{_short(first['input'])} is not allowed: {message[0].lower()}{message[1:]}"
     more = f" (and {others} more)" if others else ""
     return f"{field}: {said}{more}" if field else f"{said}{more}"
-
-
-def _dotted(location: tuple[int | str, ...]) -> str:
-    """`('walls', 0, 'start')` as `walls[0].start`."""
-    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in location]
-    return "".join(parts).removeprefix(".")
 
 
 def _short(value: object) -> str:

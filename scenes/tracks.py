@@ -15,8 +15,7 @@ from scenes.robot_task import check_on_map, position, robot_task
 from scenes.scene import GOAL_DISTANCE, PEDESTRIAN_RADIUS, Pedestrian, Position, Scene, segments_of
 from scenes.scene_text import one_line
 
-_END_IS_NEAR = 1.0
-"""A track that ends nearer than this does not show where the person is headed, m."""
+_END_IS_NEAR = 1.0  # a track that ends nearer does not show where the person is headed, m
 
 MOMENT = 4.0
 """Least time between two busy moments of a recording, s: neighbouring frames show one crowd."""
@@ -25,18 +24,51 @@ MOMENT = 4.0
 def scene_from_tracks(
     path: Path, frame: int, robot_start: Position | None = None, robot_goal: Position | None = None
 ) -> Scene:
-    """Read a recording and make a scene of one of its moments.
+    """The scene of one moment of a recording, with a robot that crosses it.
+
+    People start where they were and as fast as they were. Their desired speed is the mean speed of
+    the rest of their track. Their goal lies far beyond the end of their track, because people did
+    not stop where the camera's view ends, but the force model stops people at their goals. Whoever
+    is slower than `STANDING_SPEED` stands. People who are annotated inside a wall or another person
+    are moved out by as little as possible (to within 1 cm).
+
+    A start or goal of the robot that is left open is chosen so that the robot narrowly passes as
+    many people as possible in the next four seconds; the choice is the same each time. A chosen
+    start lies at least 3 m from the middle of the people and at least 1.5 m from each of them.
 
     Args:
         path: the recording's folder, or its file of annotations.
-        frame: as for `scene_at`, which says how the scene is made.
-        robot_start: as for `scene_at`.
-        robot_goal: as for `scene_at`.
+        frame: number of an annotated frame; the scene's number.
+        robot_start: where the robot starts (x, y), m; None leaves it open.
+        robot_goal: where the robot is headed (x, y), m; None leaves it open.
 
     Raises:
-        InputError: if the recording cannot be read, or no such scene can be made of it.
+        InputError: if the recording cannot be read, nobody is annotated at the frame, or the robot
+            would start inside a person or a wall.
     """
-    return scene_at(read_tracks(path), frame, robot_start, robot_goal)
+    tracks = read_tracks(path)
+    check_on_map("robot_start", robot_start)
+    check_on_map("robot_goal", robot_goal)
+    now = _at_frame(tracks, frame)
+    people = tracks.people[now]
+    segments = segments_of(tracks.walls)
+    starts = _moved_clear(tracks.positions[now], segments)
+    try:
+        return Scene(
+            name=_scene_name(tracks.name, frame),
+            robot=robot_task(starts, tracks.velocities[now], segments, robot_start, robot_goal),
+            pedestrians=tuple(
+                _pedestrian(tracks, person, frame, start)
+                for person, start in zip(people, starts, strict=True)
+            ),
+            walls=tracks.walls,
+            groups=_groups_present(tracks.groups, people),
+            family="tracks",
+            pattern="recorded",
+            number=frame,
+        )
+    except ValidationError as error:
+        raise InputError(f"{tracks.name}, frame {frame}: {one_line(error)}") from None
 
 
 def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
@@ -64,58 +96,6 @@ def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
         if len(chosen) == count:
             break
     return chosen
-
-
-def scene_at(
-    tracks: Tracks,
-    frame: int,
-    robot_start: Position | None = None,
-    robot_goal: Position | None = None,
-) -> Scene:
-    """The scene of one moment of a recording, with a robot that crosses it.
-
-    People start where they were and as fast as they were. Their desired speed is the mean speed of
-    the rest of their track. Their goal lies far beyond the end of their track, because people did
-    not stop where the camera's view ends, but the force model stops people at their goals. Whoever
-    is slower than `STANDING_SPEED` stands. People who are annotated inside a wall or another person
-    are moved out by as little as possible (to within 1 cm).
-
-    A start or goal of the robot that is left open is chosen so that the robot narrowly passes as
-    many people as possible in the next four seconds; the choice is the same each time. A chosen
-    start lies at least 3 m from the middle of the people and at least 1.5 m from each of them.
-
-    Args:
-        tracks: the recording.
-        frame: number of an annotated frame; the scene's number.
-        robot_start: where the robot starts (x, y), m; None leaves it open.
-        robot_goal: where the robot is headed (x, y), m; None leaves it open.
-
-    Raises:
-        InputError: if nobody is annotated at the frame, or the robot would start inside a person
-            or a wall.
-    """
-    check_on_map("robot_start", robot_start)
-    check_on_map("robot_goal", robot_goal)
-    now = _at_frame(tracks, frame)
-    people = tracks.people[now]
-    segments = segments_of(tracks.walls)
-    starts = _moved_clear(tracks.positions[now], segments)
-    try:
-        return Scene(
-            name=_scene_name(tracks.name, frame),
-            robot=robot_task(starts, tracks.velocities[now], segments, robot_start, robot_goal),
-            pedestrians=tuple(
-                _pedestrian(tracks, person, frame, start)
-                for person, start in zip(people, starts, strict=True)
-            ),
-            walls=tracks.walls,
-            groups=_groups_present(tracks.groups, people),
-            family="tracks",
-            pattern="recorded",
-            number=frame,
-        )
-    except ValidationError as error:
-        raise InputError(f"{tracks.name}, frame {frame}: {one_line(error)}") from None
 
 
 def _at_frame(tracks: Tracks, frame: int) -> slice:
@@ -175,11 +155,11 @@ def _moved_clear(positions: FloatArray, segments: FloatArray) -> FloatArray:
     clear = positions.copy()
     for index in range(len(clear)):
         others = np.delete(clear, index, axis=0)
-        for place in _rings_around(clear[index]):
-            free = distance_to_people(place, others) >= PEDESTRIAN_RADIUS
-            free &= distance_to_walls(place, segments) >= PEDESTRIAN_RADIUS
+        for ring in _rings_around(clear[index]):
+            free = distance_to_people(ring, others) >= PEDESTRIAN_RADIUS
+            free &= distance_to_walls(ring, segments) >= PEDESTRIAN_RADIUS
             if free.any():
-                clear[index] = place[np.flatnonzero(free)[0]]
+                clear[index] = ring[free.argmax()]
                 break
     return clear
 

@@ -11,7 +11,7 @@ from scenes.errors import InputError
 from scenes.ewap import read_tracks
 from scenes.geometry import distance_to_segments
 from scenes.scene_text import scene_from_toml, scene_to_toml
-from scenes.tracks import busiest_frames, scene_at, scene_from_tracks
+from scenes.tracks import busiest_frames, scene_from_tracks
 from tests.scenes.crowds import TWO, rows, walker
 
 EWAP = Path(
@@ -138,7 +138,7 @@ def test_the_busiest_real_moment_makes_a_scene(real: Path) -> None:
 def test_every_real_frame_makes_a_scene(real: Path) -> None:
     tracks = read_tracks(real)
     for frame in np.unique(tracks.frames):
-        scene = scene_at(tracks, int(frame))
+        scene = scene_from_tracks(real, int(frame))
         recorded = tracks.positions[tracks.frames == frame]
         moved = np.linalg.norm(scene.starts - recorded, axis=1)
         assert moved.max() < 0.45
