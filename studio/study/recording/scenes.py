@@ -10,7 +10,7 @@ from studio.recorder.markdown import table
 from studio.study.recording.families import LEAST_PERCENT, family_figure, scene_percents
 from studio.study.results import StudyResults
 from studio.study.words import learner_called, teacher_called
-from studio.style.words import counted, number
+from studio.style.words import action_label, counted, number
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def _teacher(results: StudyResults, links: Links, teacher: Teacher, pairs: int) 
                 f"{place}: {name}",
                 told.pattern,
                 f"{_runs(results, teacher, scene)} of {results.seeds}",
-                told.best[teacher.name],
+                action_label(told.best[teacher.name]),
                 *(_pick(results, teacher, learner, scene, pairs) for learner in results.learners),
             ]
         )
@@ -84,7 +84,8 @@ def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pai
     if regrets is None or scene not in regrets.scenes:
         return "–"
     at = int(np.flatnonzero(regrets.scenes == scene)[0])
-    pick, percent = regrets.picks[at], float(scene_percents(results, teacher, regrets)[at])
+    pick = action_label(regrets.picks[at])
+    percent = float(scene_percents(results, teacher, regrets)[at])
     if percent <= 0.0:
         return f"{pick}, 0 %"
     if percent < LEAST_PERCENT:
