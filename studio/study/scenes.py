@@ -14,7 +14,7 @@ from studio.files import replacing
 from studio.scene.again import record_command
 from studio.scene.judgements import judge
 from studio.scene.recording.write import write_recording
-from studio.study.recording.scenes import Links, SceneLink
+from studio.study.links import Links, SceneLink
 
 FOLDER = "scenes"
 """Where recordings of a bank's scenes are kept, beside that of the study."""

@@ -1,29 +1,16 @@
 """The page of a recording of a study that says in which scenes the learners differ most."""
 
-from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
 
 from learners import Teacher
 from studio.recorder.markdown import table
+from studio.study.links import Links
 from studio.study.recording.families import LEAST_PERCENT, family_figure, scene_percents
 from studio.study.results import StudyResults
 from studio.study.words import learner_called, teacher_called
 from studio.style.words import action_label, counted, number
-
-
-@dataclass(frozen=True)
-class SceneLink:
-    """The recording of a scene of a study."""
-
-    name: str  # what the scene is called there
-    path: str  # where the recording is, from the folder of the study's own recording
-    commands: tuple[str, ...]  # that make it again in that folder; none if only a study does
-
-
-Links = dict[int, SceneLink]
-"""Recordings by the scene's id in the bank."""
 
 
 def scenes_page(results: StudyResults, links: Links, pairs: int) -> str:

@@ -20,6 +20,7 @@ from learners import Teacher
 from studio.recorder.drawing import log_ground, y_upwards
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
+from studio.study.links import Links
 from studio.study.recording import entities
 from studio.study.recording.blueprint import study_blueprint
 from studio.study.recording.calibration import log_calibration
@@ -38,7 +39,7 @@ from studio.study.recording.pages import (
     study_summary_page,
     teacher_page,
 )
-from studio.study.recording.scenes import Links, scenes_page
+from studio.study.recording.scenes import scenes_page
 from studio.study.results import CURVE_COLUMNS, StudyResults
 
 SCHEMA_VERSION = 2
