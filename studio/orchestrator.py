@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from studio.comparison.comparison import Comparison
     from studio.recording import Excerpt, Look, Recording
     from studio.scene.judgements import Judgement
-    from studio.study.recording.scenes import Links
+    from studio.study.links import Links
+    from studio.study.results import StudyResults
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,13 +62,16 @@ class Compared(Made):
 class Learned(Made):
     """What came of a study; recordings of single scenes come last among its files.
 
-    Attributes:
-        table: one row a fit, see `learners.STUDY_SCHEMA`.
-        caption: a caption for the figure, in one line; empty without a figure.
+    The caption is one for the figure, in one line; it is empty without a figure.
     """
 
-    table: pa.Table
+    results: StudyResults
     caption: str = ""
+
+    @property
+    def table(self) -> pa.Table:
+        """One row a fit, see `learners.STUDY_SCHEMA`."""
+        return self.results.table
 
 
 class Studio:
@@ -78,7 +82,7 @@ class Studio:
     """
 
     def __init__(self, out: str | Path = "recordings", progress: Quiet | None = None) -> None:
-        """Take the folder for output, and whom to tell how far the work is (nobody)."""
+        """Take the folder for output, and who is told how far the work is: nobody if left out."""
         self.out = Path(out)
         self.progress = progress or Quiet()
 
@@ -234,29 +238,18 @@ class Studio:
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / ".learning.unfinished.parquet"
         files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
-        with (
-            replacing(*files) as [parquet, png, rrd],
-            replacing(*drawn, option="--figure") as papers,
-        ):
-            from studio.study.picture.page import compose_study_picture
-            from studio.study.recording.write import write_study_recording
-            from studio.study.run import run_or_resume, write_table
+        with replacing(*files) as parts, replacing(*drawn, option="--figure") as papers:
+            from studio.study.run import run_or_resume
+            from studio.study.write import write_study
 
             with self.progress.steps("fits") as done:
                 results = run_or_resume(study, unfinished, done)
             # the scenes come first, so that no link ever leads nowhere
             links = self._record_scenes(study, results.told_scenes, bank)
-            write_table(parquet, results.table)
-            compose_study_picture(results).save(png)
-            write_study_recording(rrd, results, {"outcomes": bank.name}, links)
-            caption = ""
-            for paper in papers:
-                from studio.study.paper.figure import write_paper_figure
-
-                caption = write_paper_figure(paper, results)
+            caption = write_study(parts, papers, results, bank.name, links)
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
-        return Learned(files=(*files, *drawn, *scenes), table=results.table, caption=caption)
+        return Learned(files=(*files, *drawn, *scenes), results=results, caption=caption)
 
     def _record_scenes(self, study: Study, numbers: Sequence[int], bank: Path) -> Links:
         """Record these scenes of the bank, as far as they can be made again."""

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from learners import learning_curves
 from scenes import FAMILIES, PATTERNS
 from studio.comparison.comparison import SIDES
 from studio.style.words import action_label
@@ -68,21 +67,19 @@ def compared_report(compared: Compared) -> list[str]:
 
 def learned_report(learned: Learned) -> list[str]:
     """The learning curves as a table, and what is to be known of the fits."""
-    curves = learning_curves(learned.table)
-    sizes = sorted({int(size) for curve in curves for size in curve.pairs})
+    results = learned.results
     lines = [
         "regret on held-out scenes, in % of a random action's, mean over seeds",
-        f"{'teacher':<12}{'learner':<16}" + "".join(f"{size:>8}" for size in sizes),
+        f"{'teacher':<12}{'learner':<16}" + "".join(f"{size:>8}" for size in results.sizes),
     ]
-    for curve in curves:
+    for curve in results.curves("regret_percent"):
         means = "".join(f"{mean:>8.2f}" for mean in curve.mean)
         lines.append(f"{curve.teacher:<12}{curve.learner:<16}{means}")
-    repeated = max(learned.table["repeated"].to_pylist())
-    if repeated:
-        lines.append(f"there are fewer pairs than wanted: up to {repeated} were asked again")
-    unsettled = sum(not converged for converged in learned.table["converged"].to_pylist())
-    if unsettled:
-        lines.append(f"{unsettled} of {learned.table.num_rows} fits did not converge")
+    if results.repeated:
+        again = f"up to {results.repeated} were asked again"
+        lines.append(f"there are fewer pairs than wanted: {again}")
+    if results.unsettled:
+        lines.append(f"{results.unsettled} of {len(results.fits)} fits did not converge")
     if learned.caption:
         lines.append(f"caption: {learned.caption}")
     return lines + files_report(learned.files)

@@ -111,6 +111,11 @@ class StudyResults:
         return sum(row["converged"] is False for row in self.fits)
 
     @cached_property
+    def repeated(self) -> int:
+        """How many pairs were asked more than once, of the fit of which most were."""
+        return max((row["repeated"] for row in self.fits), default=0)
+
+    @cached_property
     def shaped(self) -> tuple[str, ...]:
         """The learners that learn how people weigh and value; `cpt` first."""
         found = {row["learner"] for row in self.fits if parameters_of(row) is not None}
@@ -211,7 +216,7 @@ class StudyResults:
     def family_curve(
         self, column: str, family: str, teacher: Teacher, learner: str
     ) -> Curve | None:
-        """The curve of a column of `FAMILY_COLUMNS` in one family of scenes."""
+        """The curve of a column of `FAMILY_COLUMNS` in a family of scenes; None if it has gaps."""
         return _found(self._family_curves(column).get(family, []), teacher, learner)
 
     def family_percents(self, family: str, teacher: Teacher, learner: str) -> Curve | None:
@@ -265,7 +270,11 @@ class StudyResults:
 
     @cached_property
     def _family_curves(self) -> Callable[[str], dict[str, list[Curve]]]:
-        return cache(lambda column: family_curves(self.table, column))
+        def finite(column: str) -> dict[str, list[Curve]]:
+            found = family_curves(self.table, column)
+            return {family: _finite(curves) for family, curves in found.items()}
+
+        return cache(finite)
 
 
 @dataclass(frozen=True)

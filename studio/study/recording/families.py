@@ -206,16 +206,18 @@ def scene_percents(results: StudyResults, teacher: Teacher, regrets: SceneRegret
 
 
 def log_family_numbers(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
-    """Keep the regret by family: mean, std and interval over seeds."""
+    """Keep the regret by family: mean, std and interval over seeds, NaN where there is no curve."""
     for pairs in each_size(stream, results):
         for learner in results.learners:
+            if not results.fits_of(teacher, learner, pairs):
+                continue
             numbers: dict[str, Any] = {"family": list(results.families)}
             for column in FAMILY_COLUMNS:
                 curves = [
                     results.family_curve(column, family, teacher, learner)
                     for family in results.families
                 ]
-                spreads = [spread for curve in curves if curve and (spread := curve.at(pairs))]
-                numbers[column] = np.array([sides(each) for each in spreads]).T.ravel()
-            if len(numbers["regret"]):
-                stream.log(entities.families(teacher.name, learner), rr.AnyValues(**numbers))
+                spreads = [curve and curve.at(pairs) for curve in curves]
+                told = [sides(spread) if spread else (np.nan,) * 4 for spread in spreads]
+                numbers[column] = np.array(told).T.ravel()
+            stream.log(entities.families(teacher.name, learner), rr.AnyValues(**numbers))

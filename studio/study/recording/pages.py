@@ -256,14 +256,13 @@ def _setting_rows(
 ) -> list[list[str]]:
     """Everything that the study depends on, a row each."""
     study = results.study
-    repeated = max(row["repeated"] for row in results.fits)
     told: dict[str, object] = {
         "teachers": ", ".join(teacher.name for teacher in results.teachers),
         "learners": ", ".join(results.learners),
         "pairs": ", ".join(map(str, results.sizes)),
         "seeds": results.seeds,
         "fits": f"{len(results.fits)}, of which {results.unsettled} did not converge",
-        "pairs asked more than once": f"at most {repeated} of a fit",
+        "pairs asked more than once": f"at most {results.repeated} of a fit",
         **{
             f"learner: {learner_name(name)}": _flat(description)
             for name, description in study.get("learners", {}).items()

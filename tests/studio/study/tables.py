@@ -89,3 +89,12 @@ def study_table(
     }
     metadata = {"prospect_study": json.dumps(study)}
     return pa.Table.from_pylist(rows, schema=STUDY_SCHEMA.with_metadata(metadata))
+
+
+def table_with_a_gap() -> pa.Table:
+    """A table of one size and seed in which one regret of a doorway, of EU from EU, is unknown."""
+    table = study_table(sizes=(25,), seeds=1)
+    first, *rest = table.to_pylist()
+    doorway = [number % 2 for number in first["held_out_scenes"]].index(0)
+    first["scene_regret"][doorway] = first["regret_percent"] = float("nan")
+    return pa.Table.from_pylist([first, *rest], schema=table.schema)

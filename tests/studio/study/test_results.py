@@ -1,12 +1,11 @@
 """What a table comes to, for all media alike."""
 
 import numpy as np
-import pyarrow as pa
 import pytest
 
 from learners import TEACHERS, paired_differences
-from studio.study.results import Stage, StudyResults
-from tests.studio.study.tables import THREE, study_table
+from studio.study.results import FAMILY_COLUMNS, Stage, StudyResults
+from tests.studio.study.tables import THREE, study_table, table_with_a_gap
 
 SIZES = (25, 200, 2000)
 
@@ -48,14 +47,29 @@ def test_teachers_without_fits_are_known_and_can_be_left_out() -> None:
 
 
 def test_curves_with_gaps_are_left_out() -> None:
-    table = study_table(sizes=SIZES[:1], seeds=1)
-    regrets = [float("nan"), *table["regret_percent"].to_pylist()[1:]]
-    place = table.column_names.index("regret_percent")
-    table = table.set_column(place, table.schema.field("regret_percent"), pa.array(regrets))
-    results = StudyResults(table, THREE)
+    results = StudyResults(table_with_a_gap(), THREE)
     assert results.curve("regret_percent", TEACHERS["eu"], "eu") is None
     assert len(results.curves("regret_percent")) == 5
     assert np.isfinite(results.regrets.most)
+
+
+def test_curves_of_families_with_gaps_are_left_out_and_the_others_stay_as_they_are() -> None:
+    results = StudyResults(table_with_a_gap(), THREE)
+    eu, fit = TEACHERS["eu"], results.fits[0]
+    for column in FAMILY_COLUMNS:
+        assert results.family_curve(column, "doorway", eu, "eu") is None
+        assert results.family_curve(column, "doorway", eu, "cpt") is not None
+    assert results.family_percents("doorway", eu, "eu") is None
+    held_out = zip(fit["held_out_scenes"], fit["scene_regret"], strict=True)
+    of_open = [regret for scene, regret in held_out if results.scenes[scene].family == "open"]
+    curve = results.family_curve("regret", "open", eu, "eu")
+    assert curve is not None
+    assert curve.mean.tolist() == pytest.approx([np.mean(of_open)])
+
+
+def test_the_most_repeated_pairs_of_a_fit_are_counted() -> None:
+    assert StudyResults(study_table(repeated=7), THREE).repeated == 7
+    assert StudyResults(study_table().slice(0, 0), THREE).repeated == 0
 
 
 def test_differences_are_those_of_the_learners(results: StudyResults) -> None:

@@ -28,13 +28,13 @@ from learners import (
     weight,
 )
 from studio.recorder.axes import Axes, Scale, linear
+from studio.study.links import SceneLink
 from studio.study.recording.curves import AGREEMENT_CURVES, REGRET_CURVES
 from studio.study.recording.families import NOTHING, family_figure, scene_percents
 from studio.study.recording.minds import value_figure, visible
-from studio.study.recording.scenes import SceneLink
 from studio.study.recording.write import SCHEMA_VERSION, write_study_recording
 from studio.study.results import CURVE_COLUMNS, FAMILY_COLUMNS, StudyResults
-from tests.studio.study.tables import RANDOM_REGRET, study_table
+from tests.studio.study.tables import RANDOM_REGRET, THREE, study_table, table_with_a_gap
 
 REFERENCE = Path(__file__).parents[4] / "recordings" / "README.md"
 SETTINGS: dict[str, Any] = {"outcomes": "bank.parquet"}
@@ -207,6 +207,17 @@ def test_without_recordings_of_scenes_the_page_says_so(table: pa.Table, tmp_path
     for (text,) in read(tmp_path / "test.rrd")["/scenes"]["TextDocument:text"]:
         assert "These scenes have no recordings" in text
         assert "](" not in text
+
+
+def test_a_family_without_a_curve_keeps_its_place_among_the_numbers(tmp_path: Path) -> None:
+    results = StudyResults(table_with_a_gap(), THREE)
+    write_study_recording(tmp_path / "gap.rrd", results, {})
+    rows = read(tmp_path / "gap.rrd")["/families/eu/eu"]
+    curve = results.family_curve("regret", "open", TEACHERS["eu"], "eu")
+    assert curve is not None
+    assert rows["family"] == [["doorway", "open"]]
+    expected = [(np.nan, side[0]) for side in (curve.mean, curve.std, curve.low, curve.high)]
+    np.testing.assert_array_equal(rows["regret"][0], np.ravel(expected))
 
 
 def test_a_table_that_does_not_tell_of_its_scenes_has_no_families(
