@@ -4,6 +4,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
 
+Progress = Callable[[int, int], None]
+"""Told how many steps are done, and of how many."""
+
 PATIENCE = 4.0
 """How long a person is left without a word while waiting, s."""
 
@@ -12,7 +15,7 @@ class Quiet:
     """Says nothing; what Python callers get unless they ask for more."""
 
     @contextmanager
-    def steps(self, what: str) -> Iterator[Callable[[int, int], None]]:  # noqa: ARG002
+    def steps(self, what: str) -> Iterator[Progress]:  # noqa: ARG002
         """Work in steps; the block calls what it gets with the numbers of steps done and in all."""
         yield lambda _done, _total: None
 
@@ -26,7 +29,7 @@ class Terminal(Quiet):
     """Speaks to a person on standard error: bars on a terminal only, notes always."""
 
     @contextmanager
-    def steps(self, what: str) -> Iterator[Callable[[int, int], None]]:
+    def steps(self, what: str) -> Iterator[Progress]:
         """A bar that goes away when the work is done."""
         # rich is imported late: the command line has to start fast.
         from rich.console import Console

@@ -17,7 +17,8 @@ from studio.style.palette import THEMES, Theme
 
 if TYPE_CHECKING:
     from studio.painter.canvas import Canvas
-    from studio.painter.segments import Progress, Segment
+    from studio.painter.segments import Segment
+    from studio.progress import Progress
 
 Size = tuple[int, int]
 """Width and height of a picture, px."""

@@ -14,7 +14,7 @@ import click
 from studio.cli.failures import OneLineErrors
 from studio.cli.options import (
     OUT_FOLDER,
-    Size,
+    PixelSize,
     SpanOption,
     file_options,
     read_names,
@@ -189,7 +189,7 @@ def learn(
 @click.option("--mp4", type=click.Path(path_type=Path), help="The film to write.")
 @click.option("--gif", type=click.Path(path_type=Path), help="The animated GIF to write.")
 @click.option("--actions", callback=read_names, metavar="A,B", help="Only these, of a scene.")
-@click.option("--size", type=Size(), help="Width and height in pixels, for example 1280x720.")
+@click.option("--size", type=PixelSize(), help="Width and height in pixels, for example 1280x720.")
 @click.option("--fps", default=30, show_default=True, help="Frames per second of films.")
 @click.option(
     "--theme",

@@ -33,7 +33,7 @@ class Place(click.ParamType[tuple[float, float]]):
         return x, y
 
 
-class Size(click.ParamType[tuple[int, int]]):
+class PixelSize(click.ParamType[tuple[int, int]]):
     """Width and height of a picture, written `WxH`, in pixels."""
 
     name = "WxH"

@@ -17,7 +17,8 @@ from av.filter import Graph
 
 from studio.arrays import PixelArray
 from studio.painter.boxes import check_size
-from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
+from studio.painter.segments import SMALLEST_FRAME, Segment, check_rate
+from studio.progress import Progress
 
 _LARGEST_SIDE = 1920  # of a frame, px
 _MOST_FRAMES = 50  # a second: browsers slow GIFs down that ask for more

@@ -24,7 +24,8 @@ from av.video.reformatter import ColorPrimaries, ColorRange, Colorspace, ColorTr
 
 from studio.errors import InputError
 from studio.painter.boxes import check_size
-from studio.painter.segments import SMALLEST_FRAME, Progress, Segment, check_rate
+from studio.painter.segments import SMALLEST_FRAME, Segment, check_rate
+from studio.progress import Progress
 
 VideoPacket: TypeAlias = "av.Packet[av.VideoStream]"
 

@@ -6,9 +6,6 @@ from dataclasses import dataclass
 from studio.arrays import PixelArray
 from studio.errors import InputError
 
-Progress = Callable[[int, int], None]
-"""Told how many frames are done, and of how many."""
-
 SMALLEST_FRAME = (64, 64)
 """Width and height, px."""
 

@@ -1,6 +1,5 @@
 """Running a study: what is finished is kept in a file, so that the study can be interrupted."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pyarrow as pa
@@ -8,12 +7,11 @@ import pyarrow.parquet as pq
 
 from learners import InputError, Study, missing_tasks, study_batches, whole_table
 from studio.files import replacing
+from studio.progress import Progress
 from studio.study.results import StudyResults
 
 
-def run_or_resume(
-    study: Study, unfinished: Path, progress: Callable[[int, int], None]
-) -> StudyResults:
+def run_or_resume(study: Study, unfinished: Path, progress: Progress) -> StudyResults:
     """Run a study, from where an interrupted run of it stopped.
 
     The file `unfinished` keeps the finished rows for whoever continues, and stays; `progress` is

@@ -1,7 +1,7 @@
 """The scenes of a study that tell most, simulated again: the bank's rollouts, now to look at."""
 
 import shlex
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from learners import Prospects
 from scenes import InputError, Rollouts
 from scenes.bank import BankPlan, planned_scene, simulate_planned
 from studio.files import replacing
+from studio.progress import Progress
 from studio.scene.again import record_command
 from studio.scene.judgements import judge
 from studio.scene.recording.write import write_recording
@@ -21,11 +22,7 @@ FOLDER = "scenes"
 
 
 def record_scenes(
-    folder: Path,
-    plan: BankPlan,
-    prospects: Prospects,
-    numbers: Sequence[int],
-    progress: Callable[[int, int], None],
+    folder: Path, plan: BankPlan, prospects: Prospects, numbers: Sequence[int], progress: Progress
 ) -> Links:
     """Record scenes of a bank, as far as they can be made again.
 
