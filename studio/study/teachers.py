@@ -14,7 +14,8 @@ def read_teachers(
 
     Args:
         names: names of `learners.TEACHERS`.
-        profiles: teachers of one's own, written `NAME=α,η,λ,γ,δ`.
+        profiles: teachers of one's own, each written as its name, `=`, and the numbers of its
+            `CptParameters` in their order, with commas between them.
         beta: how decided all of them are; left out, as decided as they are by themselves.
 
     Raises:
@@ -28,7 +29,9 @@ def read_teachers(
 def _own(profile: str) -> Teacher:
     name, _, listed = profile.partition("=")
     try:
-        alpha, eta, loss_aversion, gamma, delta = (float(part) for part in listed.split(","))
+        given = zip(CptParameters.SYMBOLS, listed.split(","), strict=True)
+        numbers = [float(number) for _, number in given]
     except ValueError:
-        raise InputError(f"--profile: {profile!r} is not a profile: NAME=α,η,λ,γ,δ") from None
-    return Teacher(name, CptParameters(alpha, eta, loss_aversion, gamma, delta))
+        wanted = f"NAME={','.join(CptParameters.SYMBOLS)}"
+        raise InputError(f"--profile: {profile!r} is not a profile: {wanted}") from None
+    return Teacher(name, CptParameters(*numbers))

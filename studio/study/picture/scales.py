@@ -24,7 +24,7 @@ class Scales:
     values: tuple[float, float]  # of the value functions
     calibration: float  # largest error of a prediction shown, in %
     theta: tuple[float, float]  # of the numbers of θ/‖θ‖
-    parameters: tuple[float, float]  # of α, η, λ, γ and δ
+    parameters: tuple[float, float]  # of the numbers of `CptParameters`
 
     @classmethod
     def around(cls, results: StudyResults) -> "Scales":

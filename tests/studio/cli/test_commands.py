@@ -7,14 +7,18 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
+from inspect import signature
 from pathlib import Path
 
 import pyarrow.parquet as pq
 import pytest
 from click.testing import CliRunner, Result
 
+from learners import CptParameters
+from learners.studying.plan import SIZES
 from scenes import FAMILIES, PATTERNS, load_scene, scene_from_toml, scene_to_toml
 from studio.cli import main
+from studio.orchestrator import Studio
 
 QUICK = ("--rollouts", "3", "--horizon", "1", "--no-png", "--no-mp4")
 
@@ -232,6 +236,13 @@ def test_interrupted_work_leaves_nothing_behind(how: signal.Signals, tmp_path: P
     assert said.splitlines()[-1] == "studio: interrupted"
     assert [path.name for path in tmp_path.iterdir()] == ["outcomes.parquet"]
     assert out.read_text() == "an older bank"
+
+
+def test_the_help_of_learn_which_loads_no_learners_says_what_they_say() -> None:
+    options = {option.name: option for option in main.commands["learn"].params}
+    assert options["pairs"].default == ",".join(map(str, SIZES))
+    assert signature(Studio.learn).parameters["pairs"].default == SIZES
+    assert options["profiles"].metavar == f"NAME={','.join(CptParameters.SYMBOLS)}"
 
 
 def test_no_progress_bar_reaches_a_pipe(tmp_path: Path) -> None:
