@@ -14,12 +14,17 @@ NO_FITS = "no fits yet"
 
 
 def teacher_called(teacher: Teacher) -> str:
-    """A teacher among other people."""
+    """A teacher as sentences call them, for example "T&K teacher"."""
     return f"{teacher_name(teacher.name)} teacher"
 
 
+def short_teacher_called(teacher: Teacher) -> str:
+    """The same, short enough for the title of a view."""
+    return f"{short_teacher_name(teacher)} teacher"
+
+
 def learner_called(learner: str) -> str:
-    """A learner among other people."""
+    """A learner as sentences call it, for example "CPT learner"."""
     return f"{learner_name(learner)} learner"
 
 
@@ -35,7 +40,7 @@ def parameters_told(teacher: Teacher) -> str:
 
 
 def feature_names(count: int) -> list[str]:
-    """What the numbers of a θ of this length are worth of."""
+    """The names of the features whose worth the numbers of a θ of this length are."""
     if count == len(FEATURES):
         return list(FEATURES)
     return [f"feature {index + 1}" for index in range(count)]

@@ -6,9 +6,9 @@ import rerun.blueprint as rrb
 
 from learners import Teacher
 from studio.arrays import Bounds
+from studio.recorder.axes import Axes, linear
 from studio.recorder.views import figure_view, opening, page_view
 from studio.study.recording import entities
-from studio.study.recording.calibration import calibration_axes
 from studio.study.recording.curves import (
     AGREEMENT_CURVES,
     LIKELIHOOD_CURVES,
@@ -18,9 +18,10 @@ from studio.study.recording.curves import (
 from studio.study.recording.families import family_figure
 from studio.study.recording.minds import parameter_bounds
 from studio.study.results import StudyResults
-from studio.study.words import short_teacher_name
+from studio.study.words import short_teacher_called, short_teacher_name
 
 _PLAYING_TIME = 12.0  # that the whole study takes when it is played, s
+_SQUARE = Axes(linear((0.0, 1.0)), linear((0.0, 1.0))).bounds  # of square axes, whatever they show
 
 
 def study_blueprint(results: StudyResults) -> rrb.Blueprint:
@@ -102,13 +103,13 @@ def calibration_tab(results: StudyResults) -> rrb.Container:
 
 def curve_view(results: StudyResults, teacher: Teacher, kind: CurveFigure) -> rrb.View:
     """A learning curve."""
-    title = f"{_name(teacher)}: {kind.title}"
+    title = f"{short_teacher_called(teacher)}: {kind.title}"
     return study_figure_view(teacher, kind.name, kind.axes(results).bounds, title)
 
 
 def mind_view(teacher: Teacher, name: str, title: str) -> rrb.View:
     """A square figure: learnt functions beside the teacher's, or choices over predictions."""
-    return study_figure_view(teacher, name, calibration_axes().bounds, f"{_name(teacher)}: {title}")
+    return study_figure_view(teacher, name, _SQUARE, f"{short_teacher_called(teacher)}: {title}")
 
 
 def study_figure_view(teacher: Teacher, name: str, bounds: Bounds, title: str) -> rrb.View:
@@ -123,7 +124,3 @@ def _beside_one_another(
     if len(columns) > 4:
         return rrb.Grid(*columns, grid_columns=(len(columns) + 1) // 2, name=name)
     return rrb.Horizontal(*columns, name=name)
-
-
-def _name(teacher: Teacher) -> str:
-    return f"{short_teacher_name(teacher)} teacher"

@@ -15,18 +15,14 @@ from studio.style.palette import LIGHT, blend, learner_colour
 _LARGEST_DOT = 26.0  # diameter of the dot of all predictions together, in pixels
 
 
-def calibration_axes() -> Axes:
-    """Predicted probability across, the teacher's upwards."""
-    scale = linear((0.0, 0.25, 0.5, 0.75, 1.0))
-    return Axes(scale, scale)
-
-
 def log_calibration(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:
     """Draw how probable the teacher's choices are against how probable they were predicted to be.
 
     Every seed faintly; all seeds together boldly, a dot's area being the share of predictions.
     """
-    path, axes = entities.figure(teacher.name, entities.CALIBRATION), calibration_axes()
+    path = entities.figure(teacher.name, entities.CALIBRATION)
+    probabilities = linear((0.0, 0.25, 0.5, 0.75, 1.0))
+    axes = Axes(probabilities, probabilities)
     drawing = Drawing(lift=LIFT)
     axes.draw(drawing)
     drawing.dashes(np.array([(0.0, 0.0), (1.0, 1.0)]), LIGHT.ink, 2.0)
