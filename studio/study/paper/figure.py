@@ -23,6 +23,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
 from learners import Curve
+from studio.painter.axes import LogAxis
 from studio.study.paper.page import (
     EDGE,
     PAD,
@@ -166,8 +167,8 @@ def _set_ticks(
 
 def _along(page: PaperPage, sizes: Sequence[int], ends: tuple[float, float]) -> list[float]:
     """Where numbers of pairs lie in a panel, pt."""
-    shares = np.log(np.array(sizes) / ends[0]) / np.log(ends[1] / ends[0])
-    return [page.across * float(share) for share in shares]
+    places: list[float] = LogAxis(*ends, 0.0, page.across, 0.0).along(sizes).tolist()
+    return places
 
 
 def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
