@@ -15,7 +15,7 @@ class RunError(RuntimeError):
 def input_errors() -> tuple[type[Exception], ...]:
     """What any room raises for wrong input: scenes and learners know nothing of the studio's error.
 
-    The rooms are loaded for this, which only one of them can have raised anyway.
+    This is called only once an error is there, so that loading the rooms costs nobody time.
     """
     from learners import InputError as OfLearners
     from scenes import InputError as OfScenes

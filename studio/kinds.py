@@ -34,8 +34,8 @@ class Kind(Protocol):
 
         Raises:
             InputError: if it is of a newer edition, or something is missing or contradicts itself.
-            ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
-                IndexError say.
+            ValueError: if something is not as the studio writes it; TypeError, KeyError and
+                IndexError mean the same.
         """
 
 

@@ -52,8 +52,8 @@ def scenes_again(
 ) -> Iterator[tuple[int, Rollouts]]:
     """Simulate scenes of a bank again, and give their ids with the very rollouts of the bank.
 
-    Scenes that come out otherwise than in the bank are left out: it is not what the plan gives, or
-    was made by other versions than those that are installed.
+    A scene of which the simulation gives other outcomes than the bank holds is left out: such
+    a bank was not made by this plan, or it was by other versions than those that are installed.
     """
     actions = tuple(action.name for action in plan.actions)
     if (actions, plan.rollouts) != (prospects.actions, prospects.features.shape[2]):

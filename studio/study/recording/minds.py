@@ -63,7 +63,7 @@ def log_minds(stream: rr.RecordingStream, results: StudyResults, teacher: Teache
 
 
 def weight_figure(teacher: Teacher, name: str, curvature: str) -> MindFigure:
-    """How much a probability counts, if `gamma` bends it (of gains) or `delta` (of losses)."""
+    """How much a probability counts: of a gain by the curvature `gamma`, of a loss by `delta`."""
 
     def learnt(fit: Row) -> FloatArray:
         weights: FloatArray = weight(_PROBABILITIES, getattr(learnt_parameters(fit), curvature))

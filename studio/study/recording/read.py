@@ -20,8 +20,8 @@ def read_study(contents: Contents) -> StudyResults:
 
     Raises:
         InputError: if something is missing.
-        ValueError: if something is not as the studio writes it; so do TypeError, KeyError and
-            IndexError say.
+        ValueError: if something is not as the studio writes it; TypeError, KeyError and IndexError
+            mean the same.
     """
     teachers = _teachers(contents)
     learners = contents.static(entities.STUDY, "learners").tolist()
