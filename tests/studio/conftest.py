@@ -1,5 +1,6 @@
 """What the tests of recordings, viewers and browsers share."""
 
+import lzma
 import os
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -13,6 +14,7 @@ import rerun as rr
 
 from studio.kinds import KINDS
 
+DATA = Path(__file__).parent / "data"
 Missing = Callable[[str], NoReturn]
 
 
@@ -70,6 +72,18 @@ def study_recording(example: Callable[[str], Path]) -> Path:
 def recording(request: pytest.FixtureRequest, example: Callable[[str], Path]) -> Path:
     """A recording of each kind in turn; a new kind joins by an `example.py` beside its tests."""
     return example(request.param)
+
+
+@pytest.fixture
+def old(tmp_path: Path) -> Callable[[str], Path]:
+    """Unpacks a recording that an older version of the studio has written."""
+
+    def unpack(name: str) -> Path:
+        path = tmp_path / f"{name}.rrd"
+        path.write_bytes(lzma.decompress((DATA / f"{name}.rrd.xz").read_bytes()))
+        return path
+
+    return unpack
 
 
 @pytest.fixture(scope="session")

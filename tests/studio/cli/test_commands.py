@@ -12,26 +12,15 @@ from pathlib import Path
 
 import pyarrow.parquet as pq
 import pytest
-from click.testing import CliRunner, Result
 
 from learners import CptParameters
 from learners.studying.plan import SIZES
 from scenes import FAMILIES, PATTERNS, load_scene, scene_from_toml, scene_to_toml
 from studio.cli import main
 from studio.orchestrator import Studio
+from tests.command_line import only_line, run
 
 QUICK = ("--rollouts", "3", "--horizon", "1", "--no-png", "--no-mp4")
-
-
-def run(*arguments: str | Path) -> Result:
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
-
-
-def only_line(result: Result) -> str:
-    """What stands on standard error, which must be one line."""
-    assert isinstance(result.exception, SystemExit), result.exception
-    assert result.stderr.count("\n") == 1, result.stderr
-    return result.stderr.strip()
 
 
 def test_record_writes_recording_picture_and_film(tmp_path: Path) -> None:
@@ -145,8 +134,6 @@ def test_sample_writes_the_bank(tmp_path: Path) -> None:
         ("record --scene open --number -1", "number: -1"),
         ("record --scene open --model newton", "'newton' is not one of 'extended'"),
         ("record --scene open --engine warp", "'warp' is not one of 'batched'"),
-        ("record --scene open --noise fog=1", "--noise: 'fog' is not known: start, desired_speed"),
-        ("record --scene open --noise goal=x", "--noise: 'goal=x' is not a setting"),
         ("record --scene open --noise goal=-1", "noise goal: -1.0 is not allowed"),
         ("record", "Missing option '--scene'"),
         ("record --scene open --seed 99999999999999999999", "seed: 99999999999999999999 is not"),
@@ -243,15 +230,3 @@ def test_the_help_of_learn_which_loads_no_learners_says_what_they_say() -> None:
     assert options["pairs"].default == ",".join(map(str, SIZES))
     assert signature(Studio.learn).parameters["pairs"].default == SIZES
     assert options["profiles"].metavar == f"NAME={','.join(CptParameters.SYMBOLS)}"
-
-
-def test_no_progress_bar_reaches_a_pipe(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "studio", "sample", "--scenes", "2", "--rollouts", "1"],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert "\x1b" not in done.stdout + done.stderr
-    assert done.stdout.count("\n") == 1

@@ -9,6 +9,7 @@ import numpy as np
 import pyarrow as pa
 
 from learners import PARAMETER_COLUMNS, STUDY_SCHEMA, TEACHERS, Teacher, unit_vector
+from studio.study.results import StudyResults
 
 THREE = tuple(TEACHERS.values())
 FAMILIES = ("doorway", "open")
@@ -89,6 +90,11 @@ def study_table(
     }
     metadata = {"prospect_study": json.dumps(study)}
     return pa.Table.from_pylist(rows, schema=STUDY_SCHEMA.with_metadata(metadata))
+
+
+def study_of(teachers: tuple[Teacher, ...] = THREE, *more: Any, **options: Any) -> StudyResults:
+    """What comes of the table that `study_table` makes of the same arguments."""
+    return StudyResults(study_table(teachers, *more, **options), teachers)
 
 
 def table_with_a_gap() -> pa.Table:

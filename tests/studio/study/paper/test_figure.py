@@ -13,7 +13,7 @@ import matplotlib as mpl
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -22,13 +22,13 @@ from matplotlib.transforms import Bbox
 
 from learners import PROFILES, TEACHERS, Teacher
 from scenes.bank import BankPlan, write_bank
-from studio.cli import main
 from studio.study.paper.figure import compose_paper_figure, write_paper_figure
 from studio.study.paper.page import settings
 from studio.study.results import StudyResults
 from studio.study.words import paper_caption
 from studio.style.palette import learner_colour
-from tests.studio.study.tables import THREE, study_table
+from tests.command_line import run
+from tests.studio.study.tables import THREE, study_of
 
 COLUMN = 89.0 / 25.4 * 72.0  # pt
 SIZES = (25, 50, 100, 200, 500, 1000, 2000)
@@ -42,7 +42,7 @@ def case(
     **columns: Any,
 ) -> StudyResults:
     known = {"certainty": 0.82} | columns
-    return StudyResults(study_table(teachers, learners, sizes, seeds, **known), teachers)
+    return study_of(teachers, learners, sizes, seeds, **known)
 
 
 def without_the_end(rows: int) -> StudyResults:
@@ -257,8 +257,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def learn(bank: Path, *arguments: str | Path) -> Result:
-    options = ["learn", "--outcomes", bank, "--pairs", "10,30", "--seeds", "2", *arguments]
-    return CliRunner().invoke(main, [str(option) for option in options])
+    return run("learn", "--outcomes", bank, "--pairs", "10,30", "--seeds", "2", *arguments)
 
 
 @pytest.mark.parametrize("name", ["curves.pdf", "curves.svg"])

@@ -14,14 +14,10 @@ from studio.study.picture.page import compose_study_picture, draw_stage, lay_out
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
-from tests.canvases import check_texts
-from tests.studio.study.tables import THREE, study_table
+from tests.canvases import check_texts, texts
+from tests.studio.study.tables import THREE, study_of, study_table
 
 SIZES = [(640, 400), (1280, 800), (1600, 1000), (3840, 2400), (1000, 1400), (2400, 700)]
-
-
-def case(teachers=THREE, **options):
-    return StudyResults(study_table(teachers, **options), teachers)
 
 
 NOTHING = StudyResults(study_table().slice(0, 0), THREE)
@@ -34,21 +30,21 @@ OWN = tuple(
 EVERYBODY = ("eu", "cpt", "cpt-tied", "cpt-reference", "cpt-tied-reference", "a-learner-of-my-own")
 
 CASES = {
-    "default": lambda: case(),
-    "one of everything": lambda: case((TEACHERS["tk"],), sizes=(100,), seeds=1),
-    "one teacher": lambda: case((TEACHERS["strong"],)),
-    "only eu": lambda: case(learners=("eu",)),
-    "only cpt": lambda: case(learners=("cpt",)),
-    "many learners": lambda: case(learners=EVERYBODY),
-    "own teachers": lambda: case(OWN[:4]),
-    "more teachers than there is room for": lambda: case(OWN),
-    "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
-    "huge regret": lambda: case(regret_percent=12345.6),
-    "many sizes": lambda: case(sizes=tuple(range(100, 3100, 100)), seeds=1),
+    "default": study_of,
+    "one of everything": lambda: study_of((TEACHERS["tk"],), sizes=(100,), seeds=1),
+    "one teacher": lambda: study_of((TEACHERS["strong"],)),
+    "only eu": lambda: study_of(learners=("eu",)),
+    "only cpt": lambda: study_of(learners=("cpt",)),
+    "many learners": lambda: study_of(learners=EVERYBODY),
+    "own teachers": lambda: study_of(OWN[:4]),
+    "more teachers than there is room for": lambda: study_of(OWN),
+    "zero regret": lambda: study_of(regret=0.0, regret_percent=0.0),
+    "huge regret": lambda: study_of(regret_percent=12345.6),
+    "many sizes": lambda: study_of(sizes=tuple(range(100, 3100, 100)), seeds=1),
     "nothing fitted": lambda: NOTHING,
     "one teacher fitted": lambda: StudyResults(study_table((TEACHERS["eu"],)), THREE),
-    "nothing converged": lambda: case(converged=False),
-    "nothing known": lambda: case(
+    "nothing converged": lambda: study_of(converged=False),
+    "nothing known": lambda: study_of(
         **dict.fromkeys(PARAMETER_COLUMNS),
         certainty=None,
         converged=None,
@@ -57,10 +53,6 @@ CASES = {
         calibration_preferred=None,
     ),
 }
-
-
-def texts_of(canvas):
-    return [placed.text for placed in canvas.texts]
 
 
 def has_colour(pixels, colour):
@@ -87,24 +79,24 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_png_has_the_size_asked_for_and_shows_something(tmp_path, size):
     path = tmp_path / "learning.png"
-    compose_study_picture(case(), size).save(path)
+    compose_study_picture(study_of(), size).save(path)
     pixels = cv2.imread(str(path))
     assert pixels.shape == (size[1], size[0], 3)
     assert 0.2 < (pixels == LIGHT.ground).all(axis=-1).mean() < 0.9
 
 
 def test_every_learner_has_its_colour_and_none_that_of_contact():
-    pixels = compose_study_picture(case(learners=("eu", "cpt", "cpt-tied"))).pixels
+    pixels = compose_study_picture(study_of(learners=("eu", "cpt", "cpt-tied"))).pixels
     for learner in ("eu", "cpt", "cpt-tied"):
         assert has_colour(pixels, LEARNER_COLOURS[learner])
     assert not has_colour(pixels, LIGHT.contact)
     assert not has_colour(
-        compose_study_picture(case(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
+        compose_study_picture(study_of(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
     )
 
 
 def test_the_page_says_what_was_studied_and_names_lines_beside_them():
-    texts = texts_of(compose_study_picture(case()))
+    written = texts(compose_study_picture(study_of()))
     assert any(
         all(
             part in text
@@ -116,53 +108,53 @@ def test_the_page_says_what_was_studied_and_names_lines_beside_them():
                 "80 %",
             )
         )
-        for text in texts
+        for text in written
     )
     for teacher in ("EU", "T&K", "Strong"):
-        assert any(text.startswith("Teacher") and text.endswith(teacher) for text in texts)
+        assert any(text.startswith("Teacher") and text.endswith(teacher) for text in written)
     for learner in ("EU", "CPT"):
-        assert sum(text.startswith(f"{learner} ") and text.endswith("%") for text in texts) == 3
+        assert sum(text.startswith(f"{learner} ") and text.endswith("%") for text in written) == 3
 
 
 def test_the_page_says_what_bands_are_where_there_are_some():
-    said = " ".join(texts_of(compose_study_picture(case())))
+    said = " ".join(texts(compose_study_picture(study_of())))
     assert "95 % bootstrap interval" in said
-    assert "interval" not in " ".join(texts_of(compose_study_picture(case(seeds=1))))
+    assert "interval" not in " ".join(texts(compose_study_picture(study_of(seeds=1))))
 
 
 def test_the_page_says_what_is_short_for_what():
-    said = " ".join(texts_of(compose_study_picture(case())))
+    said = " ".join(texts(compose_study_picture(study_of())))
     for words in ("cumulative prospect theory", "λ: loss aversion", "logarithmic", "% points"):
         assert words in said
-    plain = " ".join(texts_of(compose_study_picture(case(learners=("eu",)))))
+    plain = " ".join(texts(compose_study_picture(study_of(learners=("eu",)))))
     assert "loss aversion" not in plain
 
 
 def test_every_number_of_pairs_is_named_below_the_regret():
-    texts = texts_of(compose_study_picture(case(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
-    assert texts.count("1000") >= 3
+    written = texts(compose_study_picture(study_of(sizes=(25, 50, 100, 200, 500, 1000, 2000))))
+    assert written.count("1000") >= 3
 
 
 def test_fits_that_did_not_converge_are_counted():
-    table = case().table
+    table = study_of().table
     converged = [index % 9 != 0 for index in range(table.num_rows)]
     place = table.column_names.index("converged")
     some = StudyResults(table.set_column(place, "converged", pa.array(converged)), THREE)
-    assert "6 did not converge" in " ".join(texts_of(compose_study_picture(some)))
-    assert "all converged" in " ".join(texts_of(compose_study_picture(case())))
+    assert "6 did not converge" in " ".join(texts(compose_study_picture(some)))
+    assert "all converged" in " ".join(texts(compose_study_picture(study_of())))
 
 
 def test_the_largest_size_is_compared_in_words():
-    texts = " ".join(texts_of(compose_study_picture(case())))
-    assert texts.count("CPT's regret is") == 3
-    assert "regret is" not in " ".join(texts_of(compose_study_picture(case(learners=("cpt",)))))
+    written = " ".join(texts(compose_study_picture(study_of())))
+    assert written.count("CPT's regret is") == 3
+    assert "regret is" not in " ".join(texts(compose_study_picture(study_of(learners=("cpt",)))))
 
 
 def test_zero_regret_has_a_place_of_its_own_on_the_logarithmic_axis():
-    assert "EU 0 %" not in texts_of(compose_study_picture(case()))
-    canvas = compose_study_picture(case(regret_percent=0.0))
-    assert "EU 0 %" in texts_of(canvas)
-    assert "CPT 0 %" in texts_of(canvas)
+    assert "EU 0 %" not in texts(compose_study_picture(study_of()))
+    canvas = compose_study_picture(study_of(regret_percent=0.0))
+    assert "EU 0 %" in texts(canvas)
+    assert "CPT 0 %" in texts(canvas)
 
 
 def test_without_fits_the_axis_of_regret_is_that_around_one_percent():
@@ -170,26 +162,26 @@ def test_without_fits_the_axis_of_regret_is_that_around_one_percent():
 
 
 def test_shapes_are_shown_only_if_somebody_learnt_them():
-    assert "Weight of losses" in texts_of(compose_study_picture(case()))
-    assert "Weight of losses" not in texts_of(compose_study_picture(case(learners=("eu",))))
+    assert "Weight of losses" in texts(compose_study_picture(study_of()))
+    assert "Weight of losses" not in texts(compose_study_picture(study_of(learners=("eu",))))
 
 
 def test_of_too_many_teachers_it_says_how_many_are_shown():
-    assert any("4 of 6 teachers" in text for text in texts_of(compose_study_picture(case(OWN))))
+    assert any("4 of 6 teachers" in text for text in texts(compose_study_picture(study_of(OWN))))
 
 
 def test_the_same_table_gives_the_same_picture_in_silence():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        first, second = (compose_study_picture(case()).pixels for _ in range(2))
+        first, second = (compose_study_picture(study_of()).pixels for _ in range(2))
     assert np.array_equal(first, second)
 
 
 def test_what_cannot_be_drawn_or_written_is_refused_in_one_line(tmp_path):
     with pytest.raises(InputError, match="size: 320x200"):
-        compose_study_picture(case(), (320, 200))
+        compose_study_picture(study_of(), (320, 200))
     with pytest.raises(FileNotFoundError):
-        compose_study_picture(case(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
+        compose_study_picture(study_of(), (640, 400)).save(tmp_path / "nowhere" / "learning.png")
 
 
 # The film
@@ -210,12 +202,12 @@ def incomplete():
 
 
 FILMED = {
-    "default": lambda: case(),
-    "one size": lambda: case(sizes=(100,), seeds=1),
-    "one teacher": lambda: case((TEACHERS["tk"],)),
-    "six teachers": lambda: case(OWN),
-    "only eu": lambda: case(learners=("eu",)),
-    "zero regret": lambda: case(regret=0.0, regret_percent=0.0),
+    "default": study_of,
+    "one size": lambda: study_of(sizes=(100,), seeds=1),
+    "one teacher": lambda: study_of((TEACHERS["tk"],)),
+    "six teachers": lambda: study_of(OWN),
+    "only eu": lambda: study_of(learners=("eu",)),
+    "zero regret": lambda: study_of(regret=0.0, regret_percent=0.0),
     "incomplete": incomplete,
 }
 
@@ -231,7 +223,7 @@ def page_at(results, pairs):
 
 
 def texts_at(results, pairs):
-    return texts_of(page_at(results, pairs))
+    return texts(page_at(results, pairs))
 
 
 @pytest.mark.parametrize("name", FILMED)
@@ -259,7 +251,7 @@ def test_a_later_page_has_the_axes_of_an_earlier_one():
     early, late = (
         {
             placed
-            for placed in page_at(case(), pairs).texts
+            for placed in page_at(study_of(), pairs).texts
             if placed.text.isdigit() or placed.text in ("0.1", "0.5", "−0.5", "predicted")
         }
         for pairs in (25, 2000)
@@ -269,7 +261,7 @@ def test_a_later_page_has_the_axes_of_an_earlier_one():
 
 
 def test_every_page_says_how_many_pairs_and_what_was_found_out_from_them():
-    results = case()
+    results = study_of()
     for pairs in (25, 200, 2000):
         texts = texts_at(results, pairs)
         assert f"{pairs} pairs" in texts
@@ -294,12 +286,12 @@ def test_texts_stay_on_the_page_and_off_one_another_at_every_number_of_pairs(nam
 
 
 def test_a_film_has_its_theme():
-    drawn, _ = frames_of(case(sizes=(25,)), theme=DARK)
+    drawn, _ = frames_of(study_of(sizes=(25,)), theme=DARK)
     assert tuple(drawn[0][0][0, 0]) == DARK.ground
 
 
 @pytest.mark.parametrize("size", [(641, 400), (320, 200)])
 def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size, tmp_path):
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
-        write_mp4(tmp_path / "film.mp4", compose_study_film(case(), size), size, 30)
+        write_mp4(tmp_path / "film.mp4", compose_study_film(study_of(), size), size, 30)
     assert "\n" not in str(error.value)
