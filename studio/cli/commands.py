@@ -206,7 +206,7 @@ def learn(
     help="Of the MP4.",
 )
 @click.option("--from", "start", type=float, cls=SpanOption, help="Where to begin:")
-@click.option("--to", "end", type=float, help="Where to end, likewise.")
+@click.option("--to", "end", type=float, help="Where to end, in the same unit.")
 def render(
     file: Path,
     png: Path | None,
