@@ -13,6 +13,14 @@ import click
 from studio.errors import RunError, input_errors
 
 
+class Interruption(KeyboardInterrupt):
+    """The user, or whoever ends processes, asked the command to stop.
+
+    It has a type of its own because Python ends by the signal, whatever exit code it is told, once
+    a plain KeyboardInterrupt has come out of an import.
+    """
+
+
 class OneLineErrors(click.Group):
     """A group of commands whose errors are one line and an exit code."""
 
@@ -20,6 +28,9 @@ class OneLineErrors(click.Group):
         """Run the command line, then leave the process."""
         try:
             signal.signal(signal.SIGTERM, _stop)
+            # a process that was started to ignore interruptions goes on ignoring them
+            if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+                signal.signal(signal.SIGINT, _stop)
             code = super().main(*args, **(keywords | {"standalone_mode": False}))
         except click.exceptions.NoArgsIsHelpError as error:
             click.echo(error.format_message())
@@ -39,7 +50,7 @@ class OneLineErrors(click.Group):
 
 def _stop(_signal: int, _frame: object) -> NoReturn:
     """End as an interruption does, so that nothing half-written is left behind."""
-    raise KeyboardInterrupt
+    raise Interruption
 
 
 def _leave(message: str, code: int) -> NoReturn:
