@@ -20,7 +20,7 @@ from studio.painter.labels import place
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_goal,
     draw_ground,
     draw_people,
@@ -106,7 +106,7 @@ def lay_out_comparison(
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))
-        _draw_stage(canvas, views[side], rollouts)
+        _draw_scenery(canvas, views[side], rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
         icons.append(IconArray.fit(band, count, _PITCH * unit))
         left = icons[side].box.right + 12 * unit
@@ -143,7 +143,7 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     canvas.fit(at, action_label(name), room, kind.heading, ink, SEMIBOLD)
 
 
-def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+def _draw_scenery(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     """Draw what does not move in a scene, but for the goal itself, which lies above people."""
     inside = canvas.clipped(view.box)
     draw_ground(inside, view)

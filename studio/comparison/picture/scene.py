@@ -14,7 +14,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths
 from studio.painter.views import View
 from studio.scene.picture.crowd import between
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_contacts,
     draw_goal,
     draw_groups,

@@ -15,7 +15,7 @@ from studio.painter.paths import FaintPaths
 from studio.painter.pixels import disc_coverage, tinted
 from studio.painter.views import View
 from studio.scene.measures import touched_by
-from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
+from studio.scene.picture.scenery import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 
 _TOLD_IN_FULL = 0  # the rollout that is drawn in full

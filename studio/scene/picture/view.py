@@ -16,7 +16,7 @@ from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.measures import first_contacts
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_contacts,
     draw_goal,
     draw_ground,
