@@ -24,7 +24,7 @@ from studio.scene.picture.scenery import (
 )
 from studio.style.palette import Colour
 
-_NARROW_EDGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
+_FILM_FRINGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
 
 
 class OutcomeScene:
@@ -45,8 +45,8 @@ class OutcomeScene:
         self._contact_step = rollouts.contact_step[side]
         opacity = overlap_opacity(len(self._poses))
         pen = 2 * canvas.unit
-        self._robots = FaintPaths(canvas, self._colour, pen, opacity, _NARROW_EDGE)
-        self._crowd = FaintPaths(canvas, canvas.theme.pedestrian, pen, 0.35 * opacity, _NARROW_EDGE)
+        self._robots = FaintPaths(canvas, self._colour, pen, opacity, _FILM_FRINGE)
+        self._crowd = FaintPaths(canvas, canvas.theme.pedestrian, pen, 0.35 * opacity, _FILM_FRINGE)
         self._ground = canvas.pixels.copy()
         self._seen = 0
         self._layer = self._ground
