@@ -13,6 +13,7 @@ from studio.arrays import FloatArray
 from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths
 from studio.painter.views import View
+from studio.scene.measures import first_contacts, touched_by
 from studio.scene.picture.crowd import between
 from studio.scene.picture.scenery import (
     draw_contacts,
@@ -42,7 +43,8 @@ class OutcomeScene:
         self._colour = canvas.theme.action_colour(rollouts.names[side])
         self._poses = rollouts.robot[side]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
-        self._contact_step = rollouts.contact_step[side]
+        self._contact_step, self._touched = rollouts.contact_step[side], rollouts.touched[side]
+        self._contacts = first_contacts(rollouts, side)  # (N, 3), of those that touched, in order
         opacity = overlap_opacity(len(self._poses))
         pen = 2 * canvas.unit
         self._robots = FaintPaths(canvas, self._colour, pen, opacity, _FILM_FRINGE)
@@ -60,9 +62,7 @@ class OutcomeScene:
         self._seen = count
         canvas = self._canvas
         canvas.pixels[:] = self._robots.over(self._crowd.over(self._ground))
-        touching = np.flatnonzero(self._contact_step[:count] >= 0)
-        steps = self._contact_step[touching]
-        draw_contacts(canvas, self._view, self._poses[touching, steps])
+        draw_contacts(canvas, self._view, self._contacts[: self._touched[:count].sum()])
         self._layer = canvas.pixels.copy()
 
     def draw_at_rest(self) -> None:
@@ -80,7 +80,7 @@ class OutcomeScene:
         way = np.concatenate([self._poses[outcome, : int(step) + 1], [pose]])
         canvas.line(view.to_pixels(way), self._colour, 3 * canvas.unit)
         contact_step = self._contact_step[outcome]
-        touched = bool(0 <= contact_step <= step)
+        touched = touched_by(contact_step, step)
         self._draw_everybody(pose, people, canvas.theme.contact if touched else self._colour)
         if touched:
             draw_contacts(canvas, view, self._poses[one, contact_step])
