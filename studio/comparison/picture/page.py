@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import Rollouts
-from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_told
+from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.comparison.picture.scene import OutcomeScene
@@ -31,7 +31,7 @@ from studio.scene.picture.scenery import (
 )
 from studio.scene.picture.titles import draw_heading_in_line, joined
 from studio.style.palette import LIGHT, Theme
-from studio.style.words import action_label, counted
+from studio.style.words import action_label, contacts_told, counted
 
 SIZE = (1600, 900)
 """Width and height of the picture unless one asks for others, px."""
@@ -102,7 +102,8 @@ def lay_out_comparison(
 
     count = rollouts.count
     views, icons, counts = [], [], []
-    room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
+    longest = contacts_told(count, count, count)
+    room = canvas.measure(longest, kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))

@@ -10,7 +10,7 @@ import rerun as rr
 
 from scenes import Rollouts
 from studio.arrays import BoolArray, Bounds, FloatArray
-from studio.comparison.comparison import OPENING, contacts_told, seconds_each
+from studio.comparison.comparison import OPENING, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
 from studio.comparison.recording import entities
 from studio.comparison.recording.story import ends, story_times
@@ -18,7 +18,7 @@ from studio.recorder.drawing import Drawing
 from studio.scene.recording.moving import log_over_time
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks
-from studio.style.words import number
+from studio.style.words import contacts_told, number
 
 BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
 """What a view of the page must show."""
