@@ -52,7 +52,7 @@ class Axes:
     y: Scale
     height: float = 1.0
 
-    def place(self, x: ArrayLike, y: ArrayLike) -> FloatArray:
+    def points(self, x: ArrayLike, y: ArrayLike) -> FloatArray:
         """Where numbers lie on the page, [N, 2]."""
         return np.stack([self.x(x), self.height * self.y(y)], axis=-1)
 

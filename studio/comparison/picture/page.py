@@ -16,7 +16,7 @@ from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, ha
 from studio.comparison.picture.scene import OutcomeScene
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.labels import place
+from studio.painter.labels import label_boxes
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
@@ -155,7 +155,7 @@ def _draw_scenery(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     draw_people(busy, view, rollouts.scene.starts)
     goal = draw_goal(busy, view, rollouts.scene.robot.goal)
     label = goal_label(canvas, goal, (1.0, 0.0))
-    [box] = place([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
+    [box] = label_boxes([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
     if box is not None:
         inside.text(box.centre, label.text, label.size, label.colour, anchor="centre")
 

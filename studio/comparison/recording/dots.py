@@ -118,9 +118,9 @@ def piled_up(scale: DotScale, side: int, contact: BoolArray) -> tuple[FloatArray
     landed: defaultdict[int, int] = defaultdict(int)
     red: defaultdict[int, int] = defaultdict(int)
     tops, lowest = [], []
-    for place, touched in zip(scale.bins[side].tolist(), contact.tolist(), strict=True):
-        tops.append(scale.place(place, landed[place]))
-        lowest.append(scale.place(place, red[place]))
-        landed[place] += 1
-        red[place] += touched
+    for index, touched in zip(scale.bins[side].tolist(), contact.tolist(), strict=True):
+        tops.append(scale.middle(index, landed[index]))
+        lowest.append(scale.middle(index, red[index]))
+        landed[index] += 1
+        red[index] += touched
     return np.array(tops), np.array(lowest)
