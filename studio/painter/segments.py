@@ -10,7 +10,7 @@ Progress = Callable[[int, int], None]
 """Told how many frames are done, and of how many."""
 
 SMALLEST_FRAME = (64, 64)
-"""Width and height, px."""
+"""Width and height of the smallest frame that a film can have, px."""
 
 
 @dataclass(frozen=True)

@@ -118,7 +118,8 @@ def ratio_scale(
 ) -> Scale:
     """A logarithmic scale with at least two ticks at round numbers of these digits.
 
-    It reaches from the last such number up to `low` to the first one from `high` on.
+    It begins with the largest such number that is at most `low`, and ends with the smallest that is
+    at least `high`.
     """
     numbers = round_numbers(low / 10.0, 100.0 * high, digits)
     first = max(place for place, number in enumerate(numbers) if number <= low)

@@ -109,8 +109,8 @@ def log_count(
 def piled_up(scale: DotScale, side: int, contact: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Where dots appear when outcomes come one by one, so that contacts always lie below.
 
-    Dots that are there stay. So every outcome puts a dot on top of its stack, and one with contact
-    covers the lowest dot that is not red yet, which the one on top makes up for.
+    A dot that is there stays there. So every outcome puts a dot on top of its stack, and an outcome
+    with contact also covers the lowest dot that is not red yet: the dot on top stands in for it.
 
     Returns:
         The tops, [K, 2], and the lowest places that are not red, [K, 2].

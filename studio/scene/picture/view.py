@@ -41,7 +41,7 @@ def draw_scene(
 ) -> None:
     """Draw the scene and a caption below it.
 
-    Where not every action can be named, those are that a teacher would pick.
+    Where there are too many actions to name them all, those are named that a teacher would pick.
     """
     scene, theme, unit, small = rollouts.scene, canvas.theme, canvas.unit, canvas.type.small
     panel = Box(box.left, box.top, box.right, box.bottom - 1.5 * small)
