@@ -3,15 +3,10 @@ import itertools
 import numpy as np
 
 from studio.painter.boxes import Box
-from studio.painter.canvas import Canvas
 from studio.painter.labels import Label, distance, label_boxes
-from studio.style.palette import LIGHT
+from tests.canvases import a_canvas
 
 WHITE, BLACK = (255, 255, 255), (0, 0, 0)
-
-
-def a_canvas():
-    return Canvas(640, 360, LIGHT)
 
 
 def a_label(canvas, near, text="label", direction=(1.0, 0.0)):
