@@ -48,14 +48,9 @@ class Outcomes:
 
 
 def gaps(robot: FloatArray, pedestrians: FloatArray) -> FloatArray:
-    """Gap between the robot and each pedestrian, negative where they overlap, m.
+    """Gap between the robot, [..., 3] (x and y in m, heading in rad), and each pedestrian, m.
 
-    Args:
-        robot: [..., 3], x and y in m, heading in rad.
-        pedestrians: [..., P, 2], m.
-
-    Returns:
-        [..., P].
+    Pedestrians are at [..., P, 2], m. Gaps are [..., P], negative where two overlap.
     """
     return lengths(pedestrians - robot[..., None, :2]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
 

@@ -47,14 +47,10 @@ def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
     )
 
 
-def gaps_to_people(rollouts: Rollouts) -> FloatArray:
-    """Gap between the robot and each person, negative where they overlap, [A, K, T+1, P], m."""
-    return gaps(rollouts.robot, rollouts.pedestrians)
-
-
 def gap_over_time(rollouts: Rollouts) -> FloatArray:
     """Gap between the robot and the nearest person, infinite among nobody, [A, K, T+1], m."""
-    nearest: FloatArray = gaps_to_people(rollouts).min(axis=-1, initial=np.inf)
+    to_people = gaps(rollouts.robot, rollouts.pedestrians)  # (A, K, T+1, P)
+    nearest: FloatArray = to_people.min(axis=-1, initial=np.inf)
     return nearest
 
 

@@ -37,8 +37,7 @@ LEARNER_COLOURS: dict[str, Colour] = {
     "cpt-tied-reference": (190, 80, 160),  # magenta
 }
 
-SLATE: Colour = (84, 110, 135)
-"""Colour of all teachers that a user adds."""
+SLATE: Colour = (84, 110, 135)  # of all teachers that a user adds
 
 OTHER_LEARNERS: tuple[Colour, ...] = (
     (121, 133, 30),  # olive

@@ -61,10 +61,9 @@ def counted(count: int, thing: str) -> str:
 
 
 def contacts_told(touched: int, ended: int, count: int) -> str:
-    """In how many outcomes there was contact, in words; nothing before the first has ended.
+    """In how many of `count` outcomes there was contact, in words; nothing before one has ended.
 
-    Of `count` outcomes some have ended; some of these had contact. A count that is not final says
-    so.
+    Of these outcomes, `ended` have ended so far, and `touched` of those had contact.
     """
     if ended == count:
         return f"{touched} of {count} with contact"

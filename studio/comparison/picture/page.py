@@ -102,8 +102,7 @@ def lay_out_comparison(
 
     count = rollouts.count
     views, icons, counts = [], [], []
-    longest = contacts_told(count, count, count)
-    room = canvas.measure(longest, kind.heading, SEMIBOLD) + 16 * unit
+    room = canvas.measure(contacts_told(count, count, count), kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))
