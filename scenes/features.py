@@ -47,6 +47,19 @@ class Outcomes:
     contact_step: IntArray
 
 
+def gaps(robot: FloatArray, pedestrians: FloatArray) -> FloatArray:
+    """Gap between the robot, [..., 3] (x and y in m, heading in rad), and each pedestrian, m.
+
+    Pedestrians are at [..., P, 2], m. Gaps are [..., P], negative where two overlap.
+    """
+    return lengths(pedestrians - robot[..., None, :2]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+
+
+def distances_to_goal(robot: FloatArray, scene: Scene) -> FloatArray:
+    """How far the robot, [..., 3] (x and y in m, heading in rad), is from its goal, [...], m."""
+    return lengths(robot[..., :2] - np.array(scene.robot.goal))
+
+
 def describe(
     scene: Scene, robot: FloatArray, pedestrians: FloatArray, without_robot: FloatArray, dt: float
 ) -> Outcomes:
@@ -59,16 +72,15 @@ def describe(
         without_robot: [K, T+1, P, 2], m.
         dt: length of a step, s.
     """
-    place = robot[..., :2]
-    gap = lengths(pedestrians - place[..., None, :]) - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
+    gap = gaps(robot, pedestrians)  # (A, K, T+1, P)
     clearance = np.clip(gap.min(axis=(2, 3), initial=CLEARANCE_SCALE), 0.0, CLEARANCE_SCALE)
     aside = lengths(pedestrians - without_robot)  # (A, K, T+1, P)
     deviation = aside.mean(axis=(2, 3)) if aside.shape[-1] else np.zeros(robot.shape[:2])
-    to_goal = lengths(place - np.array(scene.robot.goal))  # (A, K, T+1)
+    to_goal = distances_to_goal(robot, scene)  # (A, K, T+1)
     progress = to_goal[..., 0] - to_goal[..., -1]
     turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
 
-    touches_wall = distance_to_walls(place, scene.wall_segments) < ROBOT_RADIUS  # (A, K, T+1)
+    touches_wall = distance_to_walls(robot[..., :2], scene.wall_segments) < ROBOT_RADIUS
     touched = np.concatenate([gap < 0.0, touches_wall[..., None]], axis=-1)  # (A, K, T+1, P+1)
     collisions = touched.any(axis=2).sum(axis=-1)
     in_contact = touched.any(axis=-1)

@@ -1,4 +1,4 @@
-"""What a canvas shows, for tests of pictures and films."""
+"""Canvases and what they show, for tests of pictures and films."""
 
 from itertools import combinations
 
@@ -6,6 +6,11 @@ from studio.arrays import PixelArray
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.style.palette import LIGHT
+
+
+def a_canvas(width: int = 640, height: int = 360) -> Canvas:
+    """An empty canvas in the light theme."""
+    return Canvas(width, height, LIGHT)
 
 
 def texts(canvas: Canvas) -> list[str]:

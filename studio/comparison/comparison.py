@@ -89,17 +89,6 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
     return [names[index] for index in generator.permutation(2)]
 
 
-def contacts_told(touched: int, ended: int, count: int) -> str:
-    """In how many outcomes there was contact, in words; nothing before the first has ended.
-
-    Of `count` outcomes some have ended; some of these had contact. A count that is not final says
-    so.
-    """
-    if ended == count:
-        return f"{touched} of {count} with contact"
-    return f"{touched} of {ended} so far" if ended else ""
-
-
 def seconds_each(count: int) -> float:
     """How long each of `count` outcomes takes to play, s.
 

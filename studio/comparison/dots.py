@@ -70,7 +70,7 @@ class DotMeasure:
 def dot_measures(rollouts: Rollouts) -> tuple[DotMeasure, ...]:
     """What to show of outcomes: progress, and the gap to people if there are any.
 
-    A gap of 0, the robot touching somebody, is set apart from however small a gap.
+    A gap of 0, when the robot touches somebody, is set apart from all other gaps, however small.
     """
     progress, gap = rollouts.progress_m, rollouts.clearance_m
     ends = round_range(min(0.0, float(progress.min())), float(progress.max()))
@@ -158,8 +158,8 @@ class DotScale:
         abreast = max(range(1, _MOST_ROWS + 1), key=pitch)
         return cls(bins, width / BINS, abreast, pitch(abreast))
 
-    def place(self, place: int, number: int) -> tuple[float, float]:
-        """Middle of the dot with this number in its bin, from the bottom left corner, up."""
+    def middle(self, index: int, number: int) -> tuple[float, float]:
+        """Middle of a dot, from the bottom left corner, up, given its bin and its number there."""
         row, column = divmod(number, self.abreast)
-        across = (place + 0.5) * self.width + (column - (self.abreast - 1) / 2) * self.pitch
+        across = (index + 0.5) * self.width + (column - (self.abreast - 1) / 2) * self.pitch
         return across, (row + 0.5) * self.pitch

@@ -289,7 +289,7 @@ class Canvas:
         anchor: str = "left",
         line: str = "middle",
     ) -> Box:
-        """Set the first wording that is no wider than the room (px), else as `text` does."""
+        """Set the first wording that is no wider than the room (px), or the last one cut short."""
         fitting = self.fitted(wordings, room, size, weight)
         return self.text(at, fitting, size, colour, weight, anchor, line)
 

@@ -55,7 +55,7 @@ def draw_labels(
         ground: colour of the empty area.
         seen: [N, 2], points that are best not covered, px.
     """
-    boxes = place(labels, canvas, area, ground, seen)
+    boxes = label_boxes(labels, canvas, area, ground, seen)
     for label, box in zip(labels, boxes, strict=True):
         if box is None:
             continue
@@ -67,7 +67,7 @@ def draw_labels(
         canvas.text(box.centre, *letters, anchor="centre", halo=ground)
 
 
-def place(
+def label_boxes(
     labels: Sequence[Label],
     canvas: Canvas,
     area: Box,

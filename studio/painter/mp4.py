@@ -30,7 +30,7 @@ from studio.progress import Progress
 VideoPacket: TypeAlias = "av.Packet[av.VideoStream]"
 
 MOST_FILM_FRAMES = 60
-"""A second."""
+"""Most frames per second of an MP4."""
 
 _LARGEST_SIDE = 4096  # of a frame, px: common players show no larger ones
 _WORKERS = 2
@@ -47,10 +47,11 @@ class _Codec:
     options: dict[str, str]
 
 
-# h264: almost without searching, by which flat drawings hardly gain: two thirds of the time of the
-# preset as it is. Nor with x264's macroblock tree, with which the same frames now and then gave
-# other bytes when two encoders ran at a time. Faster presets of either codec leave more remains of
-# earlier frames behind. The tests hold the decoded colours of both to the drawn ones.
+# These options turn off almost all of x264's searching, by which flat drawings hardly gain: films
+# take two thirds of the time of the preset as it is. They also turn off its macroblock tree, with
+# which the same frames now and then gave other bytes when two encoders ran at a time. Faster
+# presets of either codec leave more remains of earlier frames behind. The tests hold the decoded
+# colours of both to the drawn ones.
 _FOR_DRAWINGS = (
     "subme=0:me=dia:partitions=i4x4,i8x8:weightp=0:scenecut=0:b-adapt=0:mbtree=0:rc-lookahead=0"
 )
@@ -189,8 +190,8 @@ def _join(path: Path, encoded: Sequence[list[VideoPacket]], form: _Form) -> None
         )
         form.set_up(stream.codec_context)
         container.start_encoding()
-        # frames are decoded before they are shown, by as much as the segment needs that needs most:
-        # encoders of short segments tell less, and the times of all must go up
+        # Frames are decoded some time before they are shown. Encoders of short segments ask for
+        # less of it, but times must go up through all segments, so all take the longest.
         lead, first = 0, 0
         for packets in encoded:
             for place, packet in enumerate(packets):

@@ -18,8 +18,8 @@ Part = tuple[slice, slice]
 """Rows and columns of a canvas."""
 
 # how far beyond the pen a path is counted, towards lower and towards higher coordinates, px
-_SOFT_EDGE = (1.0, 3.0)  # all that OpenCV draws
-_NARROW_EDGE = (1.0, 2.0 + 1.0 / 32.0)  # what still pictures have always shown
+_SOFT_FRINGE = (1.0, 3.0)  # all that OpenCV draws
+_STILL_FRINGE = (1.0, 2.0 + 1.0 / 32.0)  # what still pictures have always shown
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class FaintPaths:
         colour: Colour,
         width: float,
         opacity: float,
-        fringe: tuple[float, float] = _SOFT_EDGE,
+        fringe: tuple[float, float] = _SOFT_FRINGE,
     ) -> None:
         self._fringe = fringe
         self._corner = np.array([canvas.box.left, canvas.box.top])
@@ -113,7 +113,7 @@ def draw_faint_paths(
     canvas: Canvas, paths: FloatArray, colour: Colour, width: float, opacity: float
 ) -> None:
     """Draw paths [K, N, 2], px; colour, width and opacity are those of `FaintPaths`."""
-    faint = FaintPaths(canvas, colour, width, opacity, _NARROW_EDGE)
+    faint = FaintPaths(canvas, colour, width, opacity, _STILL_FRINGE)
     part = faint.add(paths)
     canvas.pixels[part] = faint.over(canvas.pixels, part)
 

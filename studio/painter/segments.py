@@ -7,7 +7,7 @@ from studio.arrays import PixelArray
 from studio.errors import InputError
 
 SMALLEST_FRAME = (64, 64)
-"""Width and height, px."""
+"""Width and height of the smallest frame that a film can have, px."""
 
 
 @dataclass(frozen=True)

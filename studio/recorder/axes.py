@@ -52,7 +52,7 @@ class Axes:
     y: Scale
     height: float = 1.0
 
-    def place(self, x: ArrayLike, y: ArrayLike) -> FloatArray:
+    def points(self, x: ArrayLike, y: ArrayLike) -> FloatArray:
         """Where numbers lie on the page, [N, 2]."""
         return np.stack([self.x(x), self.height * self.y(y)], axis=-1)
 
@@ -118,7 +118,8 @@ def ratio_scale(
 ) -> Scale:
     """A logarithmic scale with at least two ticks at round numbers of these digits.
 
-    It reaches from the last such number up to `low` to the first one from `high` on.
+    It begins with the largest such number that is at most `low`, and ends with the smallest that is
+    at least `high`.
     """
     numbers = round_numbers(low / 10.0, 100.0 * high, digits)
     first = max(place for place, number in enumerate(numbers) if number <= low)

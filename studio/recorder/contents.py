@@ -113,7 +113,7 @@ def read_contents(path: Path) -> Contents:
     check_is_recording(path)
     try:
         with warnings.catch_warnings():
-            # what is cut off between two messages lacks nothing but the footer
+            # of a file that is cut off between two messages Rerun only warns that it has no footer
             warnings.simplefilter("error", RerunWarning)
             reader = RrdReader(path)
             recordings = reader.recordings()

@@ -97,8 +97,8 @@ class Drawing:
 
         What is not static is there from the stream's time on, until it is drawn anew.
         """
-        # labels belong to the first lines; where there are fewer of them, the rest have none, but
-        # a single one would be put in the middle of all lines
+        # labels belong to the first lines, and further lines have none; but Rerun would put a label
+        # that is the only one in the middle of all lines, so a second, empty one goes with it
         labels = [words for words, _ in self.texts]
         labels += [""] if len(labels) == 1 else []
         anchors = [np.stack([place, place]) for _, place in self.texts]

@@ -3,8 +3,8 @@
 import numpy as np
 
 from scenes import Rollouts
+from scenes.features import gaps
 from studio.arrays import Bounds
-from studio.scene.measures import gaps_to_people
 
 SURROUNDINGS = 1.6  # beyond everywhere the robot gets, where there is anything to see, m
 MARGIN = 0.4  # from the outermost thing in the view to its edge, m
@@ -30,7 +30,7 @@ def bounds_of_shape(rollouts: Rollouts, width: float, height: float) -> Bounds:
     low, high = np.array([x0, y0]), np.array([x1, y1])
     shape = np.array([width, height])
     half = shape * ((high - low) / shape).max() / 2
-    comes_near = (gaps_to_people(rollouts) < NEAR).any(axis=(0, 1, 2))
+    comes_near = (gaps(rollouts.robot, rollouts.pedestrians) < NEAR).any(axis=(0, 1, 2))
     scene = rollouts.scene
     telling = np.concatenate([scene.starts[comes_near], [scene.robot.goal]])
     wanted_low = np.minimum(low, telling.min(axis=0) - MARGIN)

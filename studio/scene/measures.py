@@ -1,7 +1,7 @@
 """What outcomes are described by, in the units that people read, and how they come about over time.
 
-`scenes.features` describes whole rollouts, and has the definitions of gap and progress; here they
-are at every step.
+`scenes.features` has the formulas of gap and progress, and describes whole rollouts by them; here
+they are at every step.
 """
 
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import FEATURES, Rollouts
-from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from scenes.features import distances_to_goal, gaps
 from studio.arrays import BoolArray, FloatArray, IntArray
 
 
@@ -47,22 +47,16 @@ def measures(rollouts: Rollouts) -> tuple[Measure, ...]:
     )
 
 
-def gaps_to_people(rollouts: Rollouts) -> FloatArray:
-    """Gap between the robot and each person, negative where they overlap, [A, K, T+1, P], m."""
-    apart = np.linalg.norm(rollouts.pedestrians - rollouts.robot[..., None, :2], axis=-1)
-    gaps: FloatArray = apart - (ROBOT_RADIUS + PEDESTRIAN_RADIUS)
-    return gaps
-
-
 def gap_over_time(rollouts: Rollouts) -> FloatArray:
     """Gap between the robot and the nearest person, infinite among nobody, [A, K, T+1], m."""
-    nearest: FloatArray = gaps_to_people(rollouts).min(axis=-1, initial=np.inf)
+    to_people = gaps(rollouts.robot, rollouts.pedestrians)  # (A, K, T+1, P)
+    nearest: FloatArray = to_people.min(axis=-1, initial=np.inf)
     return nearest
 
 
 def progress_over_time(rollouts: Rollouts) -> FloatArray:
     """How much closer to its goal the robot has come since the start, [A, K, T+1], m."""
-    to_goal = np.linalg.norm(rollouts.robot[..., :2] - rollouts.scene.robot.goal, axis=-1)
+    to_goal = distances_to_goal(rollouts.robot, rollouts.scene)
     progress: FloatArray = to_goal[..., :1] - to_goal
     return progress
 

@@ -10,8 +10,7 @@ from studio.errors import InputError
 
 if TYPE_CHECKING:
     from scenes import Scene
-
-Position = tuple[float, float]
+    from scenes.scene import Position
 
 
 @dataclass(frozen=True)

@@ -37,13 +37,15 @@ LEARNER_COLOURS: dict[str, Colour] = {
     "cpt-tied-reference": (190, 80, 160),  # magenta
 }
 
+SLATE: Colour = (84, 110, 135)  # of all teachers that a user adds
+
 OTHER_LEARNERS: tuple[Colour, ...] = (
     (121, 133, 30),  # olive
     (136, 103, 53),  # brown
-    (84, 110, 135),  # slate
+    SLATE,
     (0, 118, 158),  # cerulean
 )
-"""Colours of learners that a user adds, told by their names."""
+"""Colours of learners that a user adds; a learner's name decides which of them it has."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ class Theme:
         return colour
 
     def ink_on(self, colour: Colour) -> Colour:
-        """That of the ground's and the text's colour which is read more easily on this one."""
+        """The colour of the ground or of text, whichever is read more easily on this colour."""
         return max(self.ground, self.ink, key=lambda ink: contrast(ink, colour))
 
 
@@ -114,7 +116,7 @@ THEMES = {"light": LIGHT, "dark": DARK}
 
 def teacher_colour(name: str) -> Colour:
     """The colour of a teacher; teachers without one of their own share a quiet one."""
-    return TEACHER_COLOURS.get(name, OTHER_LEARNERS[-2])
+    return TEACHER_COLOURS.get(name, SLATE)
 
 
 def learner_colour(name: str) -> Colour:

@@ -59,6 +59,6 @@ def decades(low: float, high: float) -> list[float]:
 
 
 def doublings(low: float, high: float) -> list[float]:
-    """Powers of two, from the last one up to `low` to the first one from `high` on."""
+    """Powers of two, from the largest up to `low` to the smallest that is at least `high`."""
     powers = range(math.floor(math.log2(low)), math.ceil(math.log2(high)) + 1)
     return [2.0**power for power in powers]

@@ -58,3 +58,13 @@ def signed(value: float) -> str:
 def counted(count: int, thing: str) -> str:
     """A count with the thing that is counted: "1 pair", "2 pairs"."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
+def contacts_told(touched: int, ended: int, count: int) -> str:
+    """In how many of `count` outcomes there was contact, in words; nothing before one has ended.
+
+    Of these outcomes, `ended` have ended so far, and `touched` of those had contact.
+    """
+    if ended == count:
+        return f"{touched} of {count} with contact"
+    return f"{touched} of {ended} so far" if ended else ""

@@ -63,16 +63,16 @@ class DotPlot:
         stacks = np.stack(
             [np.bincount(bins[chosen], minlength=BINS) for chosen in (contact, ~contact)]
         )
-        for place in np.flatnonzero((stacks != self._drawn).any(axis=0)):
-            touched, others = stacks[:, place].tolist()
-            self._draw_stack(canvas, int(place), touched, others, colour)
+        for index in np.flatnonzero((stacks != self._drawn).any(axis=0)):
+            touched, others = stacks[:, index].tolist()
+            self._draw_stack(canvas, int(index), touched, others, colour)
         self._drawn = stacks
 
     def _draw_stack(
-        self, canvas: Canvas, place: int, touched: int, others: int, colour: Colour
+        self, canvas: Canvas, index: int, touched: int, others: int, colour: Colour
     ) -> None:
         room, scale, red = self._room, self._scale, canvas.theme.contact
-        left = room.left + place * scale.width
+        left = room.left + index * scale.width
         # within its own pixels, so that the order in which stacks are drawn does not show
         cell = canvas.clipped(Box(left, room.top, left + scale.width, room.bottom))
         cell.fill(cell.box, canvas.theme.ground)
@@ -85,7 +85,7 @@ class DotPlot:
                     cell.fill(Box(middle - half, top, middle + half, room.bottom), shade)
             return
         for number in range(total):
-            across, up = scale.place(place, number)
+            across, up = scale.middle(index, number)
             shade = red if number < touched else colour
             at = (room.left + across, room.bottom - up)
             cell.disc(at, DOT_RADIUS * scale.pitch, shade)

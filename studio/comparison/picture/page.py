@@ -10,17 +10,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import Rollouts
-from studio.comparison.comparison import QUESTION, SIDES, Comparison, contacts_told
+from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis, has_dots
 from studio.comparison.picture.scene import OutcomeScene
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.labels import place
+from studio.painter.labels import label_boxes
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_goal,
     draw_ground,
     draw_people,
@@ -31,7 +31,7 @@ from studio.scene.picture.stage import (
 )
 from studio.scene.picture.titles import draw_heading_in_line, joined
 from studio.style.palette import LIGHT, Theme
-from studio.style.words import action_label, counted
+from studio.style.words import action_label, contacts_told, counted
 
 SIZE = (1600, 900)
 """Width and height of the picture unless one asks for others, px."""
@@ -102,11 +102,11 @@ def lay_out_comparison(
 
     count = rollouts.count
     views, icons, counts = [], [], []
-    room = canvas.measure(f"{count} of {count} with contact", kind.heading, SEMIBOLD) + 16 * unit
+    room = canvas.measure(contacts_told(count, count, count), kind.heading, SEMIBOLD) + 16 * unit
     for side, column in enumerate(columns):
         _draw_head(canvas, Box(column.left, top, column.right, top + head), rollouts, side)
         views.append(view_of(rollouts, Box(column.left, top + head, column.right, scene_bottom)))
-        _draw_stage(canvas, views[side], rollouts)
+        _draw_scenery(canvas, views[side], rollouts)
         band = Box(column.left, icons_top, column.right - room, icons_bottom)
         icons.append(IconArray.fit(band, count, _PITCH * unit))
         left = icons[side].box.right + 12 * unit
@@ -143,7 +143,7 @@ def _draw_head(canvas: Canvas, box: Box, rollouts: Rollouts, side: int) -> None:
     canvas.fit(at, action_label(name), room, kind.heading, ink, SEMIBOLD)
 
 
-def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+def _draw_scenery(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     """Draw what does not move in a scene, but for the goal itself, which lies above people."""
     inside = canvas.clipped(view.box)
     draw_ground(inside, view)
@@ -154,7 +154,7 @@ def _draw_stage(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
     draw_people(busy, view, rollouts.scene.starts)
     goal = draw_goal(busy, view, rollouts.scene.robot.goal)
     label = goal_label(canvas, goal, (1.0, 0.0))
-    [box] = place([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
+    [box] = label_boxes([label], busy, view.box.inset(4 * canvas.unit), canvas.theme.panel)
     if box is not None:
         inside.text(box.centre, label.text, label.size, label.colour, anchor="centre")
 

@@ -13,8 +13,9 @@ from studio.arrays import FloatArray
 from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths
 from studio.painter.views import View
+from studio.scene.measures import first_contacts, touched_by
 from studio.scene.picture.crowd import between
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_contacts,
     draw_goal,
     draw_groups,
@@ -24,7 +25,7 @@ from studio.scene.picture.stage import (
 )
 from studio.style.palette import Colour
 
-_NARROW_EDGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
+_FILM_FRINGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
 
 
 class OutcomeScene:
@@ -42,11 +43,12 @@ class OutcomeScene:
         self._colour = canvas.theme.action_colour(rollouts.names[side])
         self._poses = rollouts.robot[side]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
-        self._contact_step = rollouts.contact_step[side]
+        self._contact_step, self._touched = rollouts.contact_step[side], rollouts.touched[side]
+        self._contacts = first_contacts(rollouts, side)  # (N, 3), of those that touched, in order
         opacity = overlap_opacity(len(self._poses))
         pen = 2 * canvas.unit
-        self._robots = FaintPaths(canvas, self._colour, pen, opacity, _NARROW_EDGE)
-        self._crowd = FaintPaths(canvas, canvas.theme.pedestrian, pen, 0.35 * opacity, _NARROW_EDGE)
+        self._robots = FaintPaths(canvas, self._colour, pen, opacity, _FILM_FRINGE)
+        self._crowd = FaintPaths(canvas, canvas.theme.pedestrian, pen, 0.35 * opacity, _FILM_FRINGE)
         self._ground = canvas.pixels.copy()
         self._seen = 0
         self._layer = self._ground
@@ -60,9 +62,7 @@ class OutcomeScene:
         self._seen = count
         canvas = self._canvas
         canvas.pixels[:] = self._robots.over(self._crowd.over(self._ground))
-        touching = np.flatnonzero(self._contact_step[:count] >= 0)
-        steps = self._contact_step[touching]
-        draw_contacts(canvas, self._view, self._poses[touching, steps])
+        draw_contacts(canvas, self._view, self._contacts[: self._touched[:count].sum()])
         self._layer = canvas.pixels.copy()
 
     def draw_at_rest(self) -> None:
@@ -80,7 +80,7 @@ class OutcomeScene:
         way = np.concatenate([self._poses[outcome, : int(step) + 1], [pose]])
         canvas.line(view.to_pixels(way), self._colour, 3 * canvas.unit)
         contact_step = self._contact_step[outcome]
-        touched = bool(0 <= contact_step <= step)
+        touched = touched_by(contact_step, step)
         self._draw_everybody(pose, people, canvas.theme.contact if touched else self._colour)
         if touched:
             draw_contacts(canvas, view, self._poses[one, contact_step])

@@ -10,7 +10,7 @@ import rerun as rr
 
 from scenes import Rollouts
 from studio.arrays import BoolArray, Bounds, FloatArray
-from studio.comparison.comparison import OPENING, contacts_told, seconds_each
+from studio.comparison.comparison import OPENING, seconds_each
 from studio.comparison.dots import DOT_RADIUS, DotScale, IconGrid, dot_measures
 from studio.comparison.recording import entities
 from studio.comparison.recording.story import ends, story_times
@@ -18,7 +18,7 @@ from studio.recorder.drawing import Drawing
 from studio.scene.recording.moving import log_over_time
 from studio.style.palette import Theme, blend
 from studio.style.ticks import ticks
-from studio.style.words import number
+from studio.style.words import contacts_told, number
 
 BOUNDS: Bounds = (-0.02, -0.12, 1.02, 0.34)
 """What a view of the page must show."""
@@ -109,8 +109,8 @@ def log_count(
 def piled_up(scale: DotScale, side: int, contact: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Where dots appear when outcomes come one by one, so that contacts always lie below.
 
-    Dots that are there stay. So every outcome puts a dot on top of its stack, and one with contact
-    covers the lowest dot that is not red yet, which the one on top makes up for.
+    A dot that is there stays there. So every outcome puts a dot on top of its stack, and an outcome
+    with contact also covers the lowest dot that is not red yet: the dot on top stands in for it.
 
     Returns:
         The tops, [K, 2], and the lowest places that are not red, [K, 2].
@@ -118,9 +118,9 @@ def piled_up(scale: DotScale, side: int, contact: BoolArray) -> tuple[FloatArray
     landed: defaultdict[int, int] = defaultdict(int)
     red: defaultdict[int, int] = defaultdict(int)
     tops, lowest = [], []
-    for place, touched in zip(scale.bins[side].tolist(), contact.tolist(), strict=True):
-        tops.append(scale.place(place, landed[place]))
-        lowest.append(scale.place(place, red[place]))
-        landed[place] += 1
-        red[place] += touched
+    for index, touched in zip(scale.bins[side].tolist(), contact.tolist(), strict=True):
+        tops.append(scale.middle(index, landed[index]))
+        lowest.append(scale.middle(index, red[index]))
+        landed[index] += 1
+        red[index] += touched
     return np.array(tops), np.array(lowest)

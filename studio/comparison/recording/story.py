@@ -87,11 +87,11 @@ def log_gathering_paths(
 ) -> None:
     """Leave the path of each outcome behind when it ends, with a red cross if there was contact."""
     name, corners = rollouts.names[side], path_corners(rollouts)
-    robot, contact_step = rounded(rollouts.robot[side, ..., :2]), rollouts.contact_step[side]
+    robot, touched = rounded(rollouts.robot[side, ..., :2]), rollouts.touched[side]
     faint = blend(theme.action_colour(name), theme.panel, 0.45)
     strips, colours, lengths = [], [], []
-    for way, step in zip(robot, contact_step, strict=True):
-        marks = crosses(way[step][None], 0.06) if step >= 0 else ()
+    for way, step, contact in zip(robot, rollouts.contact_step[side], touched, strict=True):
+        marks = crosses(way[step][None], 0.06) if contact else ()
         strips += [way[corners], *marks]
         colours += [faint, *[theme.contact] * len(marks)]
         lengths.append(1 + len(marks))

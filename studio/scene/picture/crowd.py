@@ -15,7 +15,7 @@ from studio.painter.paths import FaintPaths
 from studio.painter.pixels import disc_coverage, tinted
 from studio.painter.views import View
 from studio.scene.measures import touched_by
-from studio.scene.picture.stage import draw_groups, draw_people, draw_robot, overlap_opacity
+from studio.scene.picture.scenery import draw_groups, draw_people, draw_robot, overlap_opacity
 from studio.style.palette import Colour
 
 _TOLD_IN_FULL = 0  # the rollout that is drawn in full
@@ -74,7 +74,8 @@ class Ghosts:
         radius = max(radius, 1.5)
         self._reach = math.ceil(radius) + 1
         side = 2 * self._reach + 1
-        # as many levels of grey at the rim as leave room for as many discs as can be told apart
+        # a byte counts how many discs lie on a pixel, up to as many as can be told apart; what room
+        # it has left makes parts of a disc, which give it a soft rim
         darkest = int(math.log(0.01) / math.log1p(-opacity)) + 1
         levels = max(1, 255 // darkest)
         shifts = np.arange(self._FINE) / self._FINE

@@ -24,8 +24,7 @@ from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.picture.crowd import MovingScene
 from studio.scene.picture.page import compose_picture
-from studio.scene.picture.so_far import OutcomesSoFar
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_goal,
     draw_ground,
     draw_scale_bar,
@@ -33,6 +32,7 @@ from studio.scene.picture.stage import (
     goal_label,
     view_of,
 )
+from studio.scene.picture.so_far import OutcomesSoFar
 from studio.scene.picture.titles import (
     contacts_counted,
     draw_heading_in_line,

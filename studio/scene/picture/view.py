@@ -16,7 +16,7 @@ from studio.painter.paths import draw_faint_paths
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
 from studio.scene.measures import first_contacts
-from studio.scene.picture.stage import (
+from studio.scene.picture.scenery import (
     draw_contacts,
     draw_goal,
     draw_ground,
@@ -41,7 +41,7 @@ def draw_scene(
 ) -> None:
     """Draw the scene and a caption below it.
 
-    Where not every action can be named, those are that a teacher would pick.
+    Where there are too many actions to name them all, those are named that a teacher would pick.
     """
     scene, theme, unit, small = rollouts.scene, canvas.theme, canvas.unit, canvas.type.small
     panel = Box(box.left, box.top, box.right, box.bottom - 1.5 * small)

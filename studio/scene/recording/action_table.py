@@ -23,7 +23,7 @@ COLUMN_WIDTH = 1.4
 ROW_HEIGHT = 0.45  # of a row where there is room
 TALLEST_TABLE = 3.6  # all rows at most
 HALF_TICK_LETTER = 0.05  # half the width of a letter below the table
-NAME_LETTER = 0.12  # width of a letter in the names of the actions where the view is small
+TABLE_LETTER = 0.12  # width of a letter in the names of the actions where the view is small
 
 GOLDEN_RATIO = 0.618034  # multiples of it are spread evenly over whole numbers
 
@@ -104,4 +104,4 @@ def row_height(actions: int) -> float:
 
 def name_room(names: tuple[str, ...]) -> float:
     """How much room the names of the actions take beside the table."""
-    return 0.3 + NAME_LETTER * max(len(short_label(name)) for name in names)
+    return 0.3 + TABLE_LETTER * max(len(short_label(name)) for name in names)

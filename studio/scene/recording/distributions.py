@@ -18,7 +18,7 @@ from studio.style.words import rounded_number
 
 # lengths on the page
 PANEL_WIDTH, PANEL_HEIGHT, PANEL_GAP = 1.0, 0.8, 0.36
-PANEL_PITCH = PANEL_WIDTH + PANEL_GAP  # from the left of a panel to that of the next
+DISTRIBUTIONS_PITCH = PANEL_WIDTH + PANEL_GAP  # from the left of a panel to that of the next
 STROKE = 0.02  # how far apart the strokes that fill a bar are at most
 
 # how far the histogram of each of the `FEATURES` reaches from 0 at least
@@ -38,11 +38,11 @@ def log_distributions(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
         for column, (measure, edges) in enumerate(shown):
             values = measure.values[index]
             counts = [np.histogram(some, edges)[0] for some in (values[touched], values)]
-            left = column * PANEL_PITCH
+            left = column * DISTRIBUTIONS_PITCH
             colours = (theme.contact, colour)
             draw_counts(drawing, left, measure, edges, np.stack(counts), colours)
         if rollouts.scene.pedestrians:
-            left = len(FEATURES) * PANEL_PITCH
+            left = len(FEATURES) * DISTRIBUTIONS_PITCH
             ends = float(min(0.0, gap_quantiles.min())), float(gap_quantiles.max())
             draw_band(drawing, left, rollouts.horizon, ends, gap_quantiles[:, index], colour)
         drawing.log(stream, entities.distributions(name))
@@ -135,4 +135,4 @@ def bin_edges(measure: Measure) -> FloatArray:
 def distributions_bounds(rollouts: Rollouts) -> Bounds:
     """What a view of a figure of distributions must show."""
     panels = len(FEATURES) + (1 if rollouts.scene.pedestrians else 0)
-    return -0.25, -0.32, panels * PANEL_PITCH - PANEL_GAP + 0.15, PANEL_HEIGHT + 0.25
+    return -0.25, -0.32, panels * DISTRIBUTIONS_PITCH - PANEL_GAP + 0.15, PANEL_HEIGHT + 0.25

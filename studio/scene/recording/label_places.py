@@ -14,9 +14,9 @@ VIEW_WIDTH, VIEW_HEIGHT = 780.0, 400.0  # px
 LETTER_WIDTH = 7.0  # px
 PADDING = 16.0  # width of the frame on both sides of the words together, px
 LABEL_HEIGHT = 24.0  # px
-LARGEST_VIEW = 2.0  # leaders meet their labels in views up to this many times as large
+LARGEST_VIEW = 2.0  # views up to this many times as large have lines that reach their labels
 
-DISTANCES = (0.25, 0.75, 1.25, 2.0, 3.0, 4.5, 6.0)  # of a label from its thing, in its own heights
+DISTANCES = (0.25, 0.75, 1.25, 2.0, 3.0, 4.5, 6.0)  # of a label from its thing, in label heights
 DIRECTIONS = 16  # in which a label may stand around what it names
 WALL_POINTS = 20  # points of a wall that tell whether a label hides it
 ROUNDS = 4  # how often each label is placed anew, once it is known where the others are
@@ -96,9 +96,10 @@ def label_places(
 
 
 def is_misleading(middles: FloatArray, half: FloatArray, ends: FloatArray, index: int) -> BoolArray:
-    """Whether a label at each of N middles [N, 2] is nearer to another end than to its own.
+    """Whether a label at each of N middles [N, 2] seems to name another end than its own.
 
-    Either its middle or its edge; ends [A, 2] are as near if they are in one place.
+    It does if its middle or its edge is nearer to another of the ends [A, 2]. Of ends in one place
+    none is nearer than the other.
     """
     offsets = np.abs(middles[:, None] - ends)  # (N, A, 2)
     to_middle = np.linalg.norm(offsets, axis=-1)

@@ -20,7 +20,7 @@ so that they pack into 0.6 of their size; rounded to 1 cm they would pack into 0
 """
 
 CONTACT_CLASS = 0
-"""Class of a robot that has touched something; under the action with index a it is a + 1 before."""
+"""Class of a robot that has touched something; until then it is 1 + the index of its action."""
 
 PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""

@@ -19,7 +19,7 @@ from studio.style.ticks import round_ticks
 from studio.style.words import number, short_label
 
 # lengths on the page
-PANEL_PITCH = 1.3  # from the left of a panel to that of the next
+PROSPECTS_PITCH = 1.3  # from the left of a panel to that of the next
 WEIGHT_HEIGHT = 0.85  # of the lower part of a panel
 UTILITY_BOTTOM, UTILITY_HEIGHT = 1.15, 1.4  # of its upper part
 UTILITY_TOP = UTILITY_BOTTOM + UTILITY_HEIGHT
@@ -51,7 +51,7 @@ def log_prospects(
     draw_levels(drawing, len(names), weight_scale, 0.0, WEIGHT_HEIGHT)
     raised, colours = second_level(names), [each.colour for each in judgements]
     for index, name in enumerate(names):
-        left = index * PANEL_PITCH
+        left = index * PROSPECTS_PITCH
         drawing.text((left + 0.5, TITLE_BOTTOM + raised * (index % 2)), short_label(name))
         # the lowest line last: it would vanish in the peaks of the others
         for column in sorted(range(len(judgements)), key=lambda column: -weights[column].max()):
@@ -61,9 +61,9 @@ def log_prospects(
             mark = left + MARK_LEFT + column * MARK_WIDTH
             level = UTILITY_BOTTOM + UTILITY_HEIGHT * float(utility_scale(worth[index]))
             drawing.line([(mark, level), (mark + 0.8 * MARK_WIDTH, level)], colours[column], 5.0)
-    draw_words(drawing, judgements, TITLE_BOTTOM + raised, len(names) * PANEL_PITCH)
+    draw_words(drawing, judgements, TITLE_BOTTOM + raised, len(names) * PROSPECTS_PITCH)
     drawing.log(stream, entities.PROSPECTS)
-    x = PANEL_PITCH * np.arange(len(names))[:, None] + (np.arange(count) + 0.5) / count
+    x = PROSPECTS_PITCH * np.arange(len(names))[:, None] + (np.arange(count) + 0.5) / count
     y = UTILITY_BOTTOM + UTILITY_HEIGHT * utility_scale(ranked)
     stream.log(
         entities.RANKED_OUTCOMES,
@@ -82,7 +82,7 @@ def draw_levels(drawing: Drawing, actions: int, scale: Scale, bottom: float, hei
         y = bottom + height * float(scale(tick))
         if tick in (0.0, scale.ticks[0], scale.ticks[-1]):
             drawing.text((TICKS_MIDDLE, y), number(tick))
-        for left in PANEL_PITCH * np.arange(actions):
+        for left in PROSPECTS_PITCH * np.arange(actions):
             drawing.line([(left, y), (left + 1.0, y)], line_colour(tick), 1.0)
 
 
@@ -119,6 +119,6 @@ def prospects_bounds(names: tuple[str, ...]) -> Bounds:
     return (
         WORDS_MIDDLE - 0.46,
         -0.4,
-        len(names) * PANEL_PITCH + 0.95,
+        len(names) * PROSPECTS_PITCH + 0.95,
         TITLE_BOTTOM + second_level(names) + 0.15,
     )

@@ -24,7 +24,7 @@ HEADER = 0.36  # height of the names of the teachers above the first row
 VALUE_LEFT = 0.34  # from a dot to the value at the right of it
 VALUE_RISE = 0.36  # of a value above its dot, in rows
 LEVEL = 0.6  # from a dot on, the line to the next one stays level under the value
-NAME_LETTER = 0.062  # width of a letter in the names of the actions beside the figure
+RANKS_LETTER = 0.062  # width of a letter in the names of the actions beside the figure
 
 LEAST_ROWS = 4  # that a view has room for: with fewer, they would be enormous
 
@@ -53,7 +53,7 @@ def log_ranks(
             width = 2.0 if y == next_y else 5.0
             drawing.line(bend(column, y, next_y), theme.action_colour(name), width)
     for index, name in enumerate(map(short_label, names)):
-        aside = 0.25 + NAME_LETTER * len(name) / 2
+        aside = 0.25 + RANKS_LETTER * len(name) / 2
         drawing.text((-aside, levels[0][index]), name)
         if len(judgements) > 1:
             right = (len(judgements) - 1) * COLUMN_PITCH + VALUE_LEFT + 0.15
@@ -78,7 +78,7 @@ def bend(column: int, level: float, next_level: float) -> FloatArray:
 
 def ranks_bounds(names: tuple[str, ...], teachers: int) -> Bounds:
     """What a view of the ranks must show."""
-    aside = 0.4 + NAME_LETTER * max(len(short_label(name)) for name in names)
+    aside = 0.4 + RANKS_LETTER * max(len(short_label(name)) for name in names)
     bottom = -row_pitch(len(names)) * max(len(names), LEAST_ROWS)
     right = (teachers - 1) * COLUMN_PITCH + VALUE_LEFT + 0.2 + aside
     return -aside, bottom + 0.1, right, HEADER + 0.24

@@ -26,7 +26,7 @@ from studio.style.words import number
 _MOST_SEEDS = 60  # of more seeds, only the first ones are drawn; more would only be a smear
 _FEW_SEEDS = 8  # lines of more seeds are translucent, so that they do not fill the plot
 _GAP = 26  # between plots side by side, in units of the page
-_REWARD = ["Reward θ/‖θ‖", "θ/‖θ‖"]  # what the plot of rewards is called
+_REWARD_TITLES = ["Reward θ/‖θ‖", "θ/‖θ‖"]  # what the plot of rewards is called
 
 _SHADES: dict[int, tuple[float, ...]] = {0: (), 1: (0.9,), 2: (0.35, 1.0), 3: (0.3, 0.6, 1.0)}
 """How dark curves are, from few pairs to many, by how many numbers of pairs are shown."""
@@ -154,7 +154,7 @@ def draw_parameters(
     units = {name: [unit_vector(fit["theta"]) for fit in fits] for name, fits in learnt.items()}
     _draw_cosines(canvas, halves[0], units, truth)
     rewards = _RowPlot(
-        _REWARD,
+        _REWARD_TITLES,
         feature_names(len(teacher.reward)),
         [mark for mark in ticks(low, high, 4) if low <= mark <= high],
         Axis(low, high, 0.0, 1.0),
@@ -193,7 +193,7 @@ def _draw_cosines(
             cosine = number(float(np.mean([unit @ truth for unit in units])), ".3f")
             texts.append((cosine, canvas.theme.legible(learner_colour(name))))
     widths = [canvas.measure(text, size) for text, _ in texts]
-    room = box.width - canvas.measure(_REWARD[0], size, SEMIBOLD) - gap
+    room = box.width - canvas.measure(_REWARD_TITLES[0], size, SEMIBOLD) - gap
     if len(texts) == 1 or sum(widths) + gap * len(widths) > room:
         return
     right = box.right

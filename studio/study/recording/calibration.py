@@ -33,10 +33,10 @@ def log_calibration(stream: rr.RecordingStream, results: StudyResults, teacher: 
         for learner, fits in found.items():
             pale = blend(learner_colour(learner), LIGHT.panel, 0.35)
             for one in (pooled_calibration([fit]) for fit in fits):
-                changing.line(axes.place(one.predicted, one.preferred), pale, 1.2)
+                changing.line(axes.points(one.predicted, one.preferred), pale, 1.2)
         for learner, fits in found.items():
             pooled = pooled_calibration(fits)
-            spots = axes.place(pooled.predicted, pooled.preferred)
+            spots = axes.points(pooled.predicted, pooled.preferred)
             changing.line(spots, learner_colour(learner), 3.5)
             for spot, share in zip(spots, pooled.count / pooled.count.sum(), strict=True):
                 size = max(6.0, _LARGEST_DOT * float(np.sqrt(share)))

@@ -99,14 +99,14 @@ def log_curve_figure(
     draw_bands(drawing, axes, curves)
     axes.draw(drawing)
     for curve in curves:
-        means = axes.place(curve.pairs, curve.mean)
+        means = axes.points(curve.pairs, curve.mean)
         drawing.line(means, learner_colour(curve.learner), 3.5)
         for spot in means:
             drawing.dot(spot, learner_colour(curve.learner), 7.0)
     entries = learner_entries(curve.learner for curve in curves)
     if kind.truth:
         best = results.curves_of(kind.truth, teacher)[0]
-        drawing.dashes(axes.place(best.pairs, best.mean), LIGHT.ink, 2.5)
+        drawing.dashes(axes.points(best.pairs, best.mean), LIGHT.ink, 2.5)
         entries.append((teacher_called(teacher), None))
     top = _HEIGHT - 0.06 if kind.falls else 0.06 + KEY_STEP * (len(entries) - 1)
     draw_key(drawing, entries, key_left(words for words, _ in entries), top)
@@ -117,7 +117,7 @@ def log_curve_figure(
         for curve in curves:
             spread = curve.at(pairs)
             if spread is not None:
-                spot = axes.place(pairs, spread.mean).tolist()
+                spot = axes.points(pairs, spread.mean).tolist()
                 cursor.dot(spot, LIGHT.ink, 15.0)
                 cursor.dot(spot, learner_colour(curve.learner), 11.0)
 
@@ -127,7 +127,7 @@ def draw_bands(drawing: Drawing, axes: Axes, curves: Sequence[Curve]) -> None:
     bands: list[tuple[Colour, FloatArray, FloatArray, FloatArray]] = []
     for curve in curves:
         colour = blend(learner_colour(curve.learner), LIGHT.panel, _BAND_OPACITY)
-        low, high = axes.place(curve.pairs, curve.low), axes.place(curve.pairs, curve.high)
+        low, high = axes.points(curve.pairs, curve.low), axes.points(curve.pairs, curve.high)
         if len(curve.pairs) == 1:
             drawing.line([low[0], high[0]], colour, 12.0)
             continue

@@ -130,12 +130,12 @@ def visible(axes: Axes, x: FloatArray, y: FloatArray) -> FloatArray:
     low, high = axes.y.ticks[0], axes.y.ticks[-1]
     inside = (y >= low) & (y <= high)
     if inside.all() or not inside.any():
-        return axes.place(x, y)
+        return axes.points(x, y)
     # to the edge of the page, not only to the last place within
     first, last = np.flatnonzero(inside)[[0, -1]]
     part = slice(max(first - 1, 0), last + 2)
     ends = np.clip(y[part], low, high)
-    return axes.place(np.interp(ends, y[part], x[part]), ends)
+    return axes.points(np.interp(ends, y[part], x[part]), ends)
 
 
 def log_parameters(stream: rr.RecordingStream, results: StudyResults, teacher: Teacher) -> None:

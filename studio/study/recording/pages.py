@@ -23,18 +23,18 @@ from studio.style.words import counted, learner_name, number, teacher_name
 
 
 @dataclass(frozen=True)
-class _Measure:
+class _Column:
     """How pages write a column of the study's table."""
 
-    column: str
+    name: str
     form: str  # of its numbers, as Python formats them
     factor: float = 1.0  # what its numbers are multiplied by
 
 
-_REGRET = _Measure("regret_percent", ".2f")
-_AGREEMENT = _Measure("agreement", ".0f", 100.0)
-_COSINE = _Measure("theta_cosine", ".3f")
-_LOSS, _LEAST_LOSS = _Measure("nll", ".3f"), _Measure("nll_teacher", ".3f")
+_REGRET = _Column("regret_percent", ".2f")
+_AGREEMENT = _Column("agreement", ".0f", 100.0)
+_COSINE = _Column("theta_cosine", ".3f")
+_LOSS, _LEAST_LOSS = _Column("nll", ".3f"), _Column("nll_teacher", ".3f")
 
 
 def study_summary_page(results: StudyResults) -> str:
@@ -71,8 +71,8 @@ def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
     """What was learned from one teacher so far."""
     learners = [le for le in results.learners if results.fits_of(teacher, le, pairs)]
 
-    def cells(measure: _Measure, learners: list[str] = learners) -> list[str]:
-        return [_cell(results, teacher, learner, measure, pairs) for learner in learners]
+    def cells(column: _Column, learners: list[str] = learners) -> list[str]:
+        return [_cell(results, teacher, learner, column, pairs) for learner in learners]
 
     parameters = zip(
         CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True
@@ -83,7 +83,7 @@ def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
         ["cosine of θ", "1", *cells(_COSINE)],
         ["log-loss, nats a pair", "".join(cells(_LEAST_LOSS, learners[:1])), *cells(_LOSS)],
         *(
-            [symbol, number(truth), *cells(_Measure(column, ".2f"))]
+            [symbol, number(truth), *cells(_Column(column, ".2f"))]
             for symbol, column, truth in parameters
         ),
     ]
@@ -306,14 +306,14 @@ def _certainty(results: StudyResults, teacher: Teacher, pairs: int) -> str:
 
 
 def _cell(
-    results: StudyResults, teacher: Teacher, learner: str, measure: _Measure, pairs: int
+    results: StudyResults, teacher: Teacher, learner: str, column: _Column, pairs: int
 ) -> str:
     """Mean ± standard deviation; the mean alone where there is a single seed."""
-    spread = results.spread(measure.column, teacher, learner, pairs)
+    spread = results.spread(column.name, teacher, learner, pairs)
     if not spread:
         return "–"
-    mean = number(measure.factor * spread.mean, measure.form)
-    return f"{mean} ± {measure.factor * spread.std:{measure.form}}" if spread.runs > 1 else mean
+    mean = number(column.factor * spread.mean, column.form)
+    return f"{mean} ± {column.factor * spread.std:{column.form}}" if spread.runs > 1 else mean
 
 
 def _flat(description: dict[str, object]) -> str:

@@ -26,7 +26,7 @@ def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES,
     comparison = side_by_side(simulated, *names, seed=1)
     if contact is None:
         return comparison
-    steps = np.where(np.array(contact), 2, -1)
+    steps = np.where(np.array(contact), min(2, simulated.steps), -1)
     return dataclasses.replace(
         comparison, rollouts=dataclasses.replace(comparison.rollouts, contact_step=steps)
     )

@@ -20,10 +20,10 @@ def test_dots_of_every_outcome_find_room(count):
         assert scale.bins.max() <= 23
         for row in scale.bins:
             tallest = np.bincount(row).max()
-            highest = scale.place(23, tallest - 1)[1] + scale.pitch / 2
+            highest = scale.middle(23, tallest - 1)[1] + scale.pitch / 2
             assert highest <= room.height + 1e-9
         for number in range(scale.abreast):
-            across, _ = scale.place(23, number)
+            across, _ = scale.middle(23, number)
             assert 23 / 24 * room.width < across < room.width
 
 

@@ -13,12 +13,9 @@ from studio.painter.paths import draw_faint_paths
 from studio.painter.pixels import disc_coverage
 from studio.painter.views import View
 from studio.style.palette import LIGHT
+from tests.canvases import a_canvas
 
 WHITE, BLACK, RED = (255, 255, 255), (0, 0, 0), (255, 0, 0)
-
-
-def a_canvas(width=640, height=360):
-    return Canvas(width, height, LIGHT)
 
 
 def ink(canvas):

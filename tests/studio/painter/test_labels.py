@@ -3,15 +3,10 @@ import itertools
 import numpy as np
 
 from studio.painter.boxes import Box
-from studio.painter.canvas import Canvas
-from studio.painter.labels import Label, distance, place
-from studio.style.palette import LIGHT
+from studio.painter.labels import Label, distance, label_boxes
+from tests.canvases import a_canvas
 
 WHITE, BLACK = (255, 255, 255), (0, 0, 0)
-
-
-def a_canvas():
-    return Canvas(640, 360, LIGHT)
 
 
 def a_label(canvas, near, text="label", direction=(1.0, 0.0)):
@@ -22,7 +17,7 @@ def test_labels_lie_near_their_things_apart_from_one_another_and_off_the_ink():
     canvas = a_canvas()
     canvas.fill(Box(310.0, 100.0, 640.0, 260.0), BLACK)
     labels = [a_label(canvas, (300.0, 180.0 + 3 * shift), f"label {shift}") for shift in range(6)]
-    places = place(labels, canvas, canvas.box, WHITE)
+    places = label_boxes(labels, canvas, canvas.box, WHITE)
     for first, second in itertools.combinations(places, 2):
         assert not first.overlaps(second)
     for label, box in zip(labels, places, strict=True):
@@ -33,20 +28,22 @@ def test_labels_lie_near_their_things_apart_from_one_another_and_off_the_ink():
 def test_labels_keep_off_the_points_that_are_to_be_seen():
     canvas = a_canvas()
     label, seen = a_label(canvas, (300.0, 180.0)), np.array([[320.0, 180.0]])
-    (covering,) = place([label], canvas, canvas.box, WHITE)
-    (aside,) = place([label], canvas, canvas.box, WHITE, seen)
+    (covering,) = label_boxes([label], canvas, canvas.box, WHITE)
+    (aside,) = label_boxes([label], canvas, canvas.box, WHITE, seen)
     assert distance(covering, (320.0, 180.0)) == 0.0
     assert distance(aside, (320.0, 180.0)) > 0.0
 
 
 def test_a_label_lies_where_its_thing_points_to_if_that_is_free():
     canvas = a_canvas()
-    (right,) = place([a_label(canvas, (300.0, 180.0))], canvas, canvas.box, WHITE)
-    (up,) = place([a_label(canvas, (300.0, 180.0), "up", (0.0, -1.0))], canvas, canvas.box, WHITE)
+    (right,) = label_boxes([a_label(canvas, (300.0, 180.0))], canvas, canvas.box, WHITE)
+    (up,) = label_boxes(
+        [a_label(canvas, (300.0, 180.0), "up", (0.0, -1.0))], canvas, canvas.box, WHITE
+    )
     assert right.left > 300.0
     assert up.bottom < 180.0
 
 
 def test_a_label_that_finds_no_room_is_left_out():
     canvas = a_canvas()
-    assert place([a_label(canvas, (5.0, 5.0))], canvas, Box(0, 0, 20, 20), WHITE) == [None]
+    assert label_boxes([a_label(canvas, (5.0, 5.0))], canvas, Box(0, 0, 20, 20), WHITE) == [None]

@@ -2,9 +2,8 @@ import pytest
 
 from studio.painter.axes import Axis
 from studio.painter.boxes import Box
-from studio.painter.canvas import Canvas
 from studio.painter.marks import draw_icons
-from studio.style.palette import LIGHT
+from tests.canvases import a_canvas
 
 
 def test_values_off_an_axis_lie_at_its_end():
@@ -13,7 +12,7 @@ def test_values_off_an_axis_lie_at_its_end():
 
 
 def test_an_icon_array_has_one_dot_a_rollout_and_the_touched_ones_in_red():
-    canvas = Canvas(640, 360, LIGHT)
+    canvas = a_canvas()
     draw_icons(canvas, Box(0.0, 0.0, 300.0, 150.0), 12, 50, (0, 0, 200))
     reds = (canvas.pixels == (213, 43, 30)).all(axis=-1)
     blues = (canvas.pixels == (0, 0, 200)).all(axis=-1)

@@ -1,15 +1,10 @@
 import numpy as np
 import pytest
 
-from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths, draw_faint_paths
-from studio.style.palette import LIGHT
+from tests.canvases import a_canvas
 
 WHITE, BLACK = (255, 255, 255), (0, 0, 0)
-
-
-def a_canvas():
-    return Canvas(640, 360, LIGHT)
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 50])

@@ -1,22 +1,4 @@
-from rerun import escape_entity_path_part as entity_part
-
-from studio.recorder.markdown import link, plain, table
 from studio.recorder.pages import PACKAGES, package_versions
-
-
-def test_a_table_has_a_rule_under_its_heads():
-    assert table(["a", "b"], "lr", [["x", "1"], ["y", "2"]]) == [
-        "| a | b |",
-        "|:--|--:|",
-        "| x | 1 |",
-        "| y | 2 |",
-    ]
-
-
-def test_a_link_leads_to_an_entity_whatever_its_name():
-    path = f"figures/{entity_part('my aunt')}"
-    assert path == "figures/my\\ aunt"
-    assert link(plain("my_aunt"), path) == r"[my\_aunt](<recording://figures/my\\ aunt>)"
 
 
 def test_pages_know_the_versions_of_python_and_of_all_packages():

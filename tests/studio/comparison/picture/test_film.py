@@ -1,6 +1,5 @@
 import itertools
 
-import av
 import numpy as np
 import pytest
 
@@ -17,6 +16,7 @@ from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.style.palette import LIGHT
 from tests.canvases import check_texts, red_pixels, texts
+from tests.films import frames_of
 from tests.studio.comparison.made_up import NAMES, SIZE, a_comparison
 
 
@@ -39,8 +39,7 @@ def test_who_stands_on_the_goal_does_not_hide_it(draw):
 def film(comparison, tmp_path_factory):
     path = tmp_path_factory.mktemp("film") / "film.mp4"
     write_mp4(path, compose_comparison_film(comparison, SIZE, 30), SIZE, 30)
-    with av.open(str(path)) as container:
-        return path, [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+    return path, frames_of(path)
 
 
 def drawn(comparison, frames_per_second=30):

@@ -6,12 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from scenes import MetaAction, Pedestrian, Robot, Scene, Wall, scene_from_toml, simulate
-from studio.comparison.comparison import QUESTION, side_by_side
+from scenes import scene_from_toml
+from studio.comparison.comparison import QUESTION
 from studio.comparison.recording.write import write_comparison_recording
 from studio.scene.judgements import judge
 from studio.style.palette import ACTION_COLOURS, LIGHT
 from tests.entities import read_blueprint, read_entities, verify
+from tests.studio.comparison.made_up import a_comparison
 
 pytestmark = pytest.mark.usefixtures("strict_rerun")
 
@@ -20,26 +21,11 @@ HALF_A_STEP = 1.0 / 256.0
 SECONDS_EACH = 2.0  # of so few outcomes
 
 
-def a_comparison(people=2, rollouts=4, horizon=0.5, names=("forward", "slow_down")):
-    scene = Scene(
-        name="a-scene",
-        robot=Robot(start=(0.0, 0.0), goal=(6.0, 0.5)),
-        pedestrians=tuple(
-            Pedestrian((1.5 + 0.6 * (index % 6), -1.2 + 0.5 * (index // 6)), (-9.0, 0.0))
-            for index in range(people)
-        ),
-        walls=(Wall((-2.0, 3.0), (7.0, 3.0)),),
-        groups=((0, 1),) if people > 1 else (),
-    )
-    actions = (
-        MetaAction("stop", 0.0, 0.0),
-        MetaAction(names[0], 1.0, 0.0),
-        MetaAction(names[1], 0.5, 0.0),
-    )
-    comparison = side_by_side(simulate(scene, actions, rollouts=rollouts, horizon=horizon), *names)
-    contact_step = np.full((2, rollouts), -1)
-    contact_step[0, ::2] = 1
-    return replace(comparison, rollouts=replace(comparison.rollouts, contact_step=contact_step))
+def with_contacts(people=2, rollouts=4, **settings):
+    """A comparison in which every second outcome on the left has contact, from step 2 on."""
+    contact = np.zeros((2, rollouts), bool)
+    contact[0, ::2] = True
+    return a_comparison(people, rollouts, contact=contact, **settings)
 
 
 def write(path, comparison):
@@ -48,13 +34,13 @@ def write(path, comparison):
 
 
 @pytest.fixture(scope="module")
-def comparison():
-    return a_comparison()
+def compared():
+    return with_contacts()
 
 
 @pytest.fixture(scope="module")
-def recording(comparison, tmp_path_factory):
-    return write(tmp_path_factory.mktemp("recording") / "test.rrd", comparison)
+def recording(compared, tmp_path_factory):
+    return write(tmp_path_factory.mktemp("recording") / "test.rrd", compared)
 
 
 @pytest.fixture(scope="module")
@@ -73,19 +59,19 @@ def test_it_can_be_verified_and_opens_on_the_question(recording):
         assert words in found
 
 
-def test_it_says_which_actions_are_compared_and_how_they_came_to_their_sides(entities, comparison):
+def test_it_says_which_actions_are_compared_and_how_they_came_to_their_sides(entities, compared):
     told = {name: rows[0] for name, rows in entities["/__properties/comparison"].items()}
-    assert [*told["left"], *told["right"]] == names(comparison)
-    assert told["seed"] == [comparison.seed]
-    assert told["actions"] == ["stop", "forward", "slow_down"]
+    assert [*told["left"], *told["right"]] == names(compared)
+    assert told["seed"] == [compared.seed]
+    assert told["actions"] == ["forward", "stop", "turn_left", "slow_down"]
     scene = scene_from_toml(entities["/__properties/scene"]["toml"][0][0])
-    assert scene == comparison.rollouts.scene
+    assert scene == compared.rollouts.scene
     assert entities["/__properties/simulation"]["rollouts"] == [[4]]
 
 
-def test_it_holds_the_numbers_of_both_actions_where_a_scene_has_them(entities, comparison):
-    rollouts = comparison.rollouts
-    for side, name in enumerate(names(comparison)):
+def test_it_holds_the_numbers_of_both_actions_where_a_scene_has_them(entities, compared):
+    rollouts = compared.rollouts
+    for side, name in enumerate(names(compared)):
         robots = np.array(entities[f"/world/actions/{name}/robots"]["Points2D:positions"])
         given = rollouts.robot[side, ..., :2]
         np.testing.assert_allclose(robots.swapaxes(0, 1), given, atol=HALF_A_STEP)
@@ -98,10 +84,10 @@ def test_it_holds_the_numbers_of_both_actions_where_a_scene_has_them(entities, c
     assert len(entities["/judgements"]["tk"][0]) == 2
 
 
-def test_every_outcome_plays_on_both_sides_at_once(entities, comparison):
-    rollouts = comparison.rollouts
+def test_every_outcome_plays_on_both_sides_at_once(entities, compared):
+    rollouts = compared.rollouts
     count, times = rollouts.robot.shape[1:3]
-    for side, name in enumerate(names(comparison)):
+    for side, name in enumerate(names(compared)):
         robot = entities[f"/world/story/{name}/robot"]
         when = np.array([time.total_seconds() for time in robot["story"]])
         starts = 0.6 + SECONDS_EACH * np.arange(count)
@@ -118,11 +104,11 @@ def test_every_outcome_plays_on_both_sides_at_once(entities, comparison):
         np.testing.assert_allclose(people[1:-2], walks, atol=HALF_A_STEP)
 
 
-def test_a_robot_is_red_from_its_contact_until_the_next_outcome(entities, comparison):
-    left, right = names(comparison)
+def test_a_robot_is_red_from_its_contact_until_the_next_outcome(entities, compared):
+    left, right = names(compared)
     classes = np.array(entities[f"/world/story/{left}/robot"]["Points2D:class_ids"])[1:-2, 0]
     red = classes.reshape(4, 6) == 0
-    assert red[::2].tolist() == [[False, *[True] * 5]] * 2
+    assert red[::2].tolist() == [[False, False, *[True] * 4]] * 2
     assert not red[1::2].any()
     others = np.array(entities[f"/world/story/{right}/robot"]["Points2D:class_ids"])
     assert (others == 2).all()
@@ -130,7 +116,7 @@ def test_a_robot_is_red_from_its_contact_until_the_next_outcome(entities, compar
         info["class_id"]: info["class_description"]["info"]["color"] >> 8
         for info in entities["/world"]["AnnotationContext:context"][0][0]
     }
-    places = {name: index for index, name in enumerate(comparison.actions)}
+    places = {name: index for index, name in enumerate(compared.actions)}
     expected = [LIGHT.contact, *(ACTION_COLOURS[places[name]] for name in (left, right))]
     assert colours == {
         number: (red << 16) | (green << 8) | blue
@@ -138,8 +124,8 @@ def test_a_robot_is_red_from_its_contact_until_the_next_outcome(entities, compar
     }
 
 
-def test_paths_and_dots_come_one_outcome_at_a_time(entities, comparison):
-    left, right = names(comparison)
+def test_paths_and_dots_come_one_outcome_at_a_time(entities, compared):
+    left, right = names(compared)
     paths = entities[f"/world/story/{left}/paths"]
     assert [len(strips) for strips in paths["LineStrips2D:strips"]] == [3, 1, 3, 1]
     assert [
@@ -166,17 +152,17 @@ def test_paths_and_dots_come_one_outcome_at_a_time(entities, comparison):
     np.testing.assert_allclose(icons, waiting[[0, 3, 1, 2]])
 
 
-def test_dots_lie_at_their_values_on_an_axis_that_both_sides_share(entities, comparison):
-    progress = comparison.rollouts.progress_m
+def test_dots_lie_at_their_values_on_an_axis_that_both_sides_share(entities, compared):
+    progress = compared.rollouts.progress_m
     dots = [
         np.array(entities[f"/figures/dots/{name}/outcomes"]["Points2D:positions"])[:, 1, 0]
-        for name in names(comparison)
+        for name in names(compared)
     ]
     values, across = progress.ravel(), np.concatenate(dots)
     slope, offset = np.polyfit(values, across, 1)
     # within a bin, of which there are 24 on an axis that is at most 0.46 wide
     assert np.abs(across - (slope * values + offset)).max() < 0.46 / 24
-    axes = [entities[f"/figures/dots/{name}"] for name in names(comparison)]
+    axes = [entities[f"/figures/dots/{name}"] for name in names(compared)]
     assert axes[0]["LineStrips2D:labels"] == axes[1]["LineStrips2D:labels"]
 
 
@@ -212,7 +198,7 @@ def test_red_dots_lie_below_the_others_at_any_time(seed, tmp_path):
                 assert all(below) or not is_red
 
 
-def test_the_reference_names_every_entity_and_component(entities, comparison):
+def test_the_reference_names_every_entity_and_component(entities, compared):
     described = defaultdict(set)
     text = REFERENCE.read_text(encoding="utf-8")
     of_a_scene = text[: text.index("# What `learning.rrd` contains")]
@@ -224,7 +210,7 @@ def test_the_reference_names_every_entity_and_component(entities, comparison):
             cells = row.split(" | ")
             if row.startswith("| `/") and concerned(cells[0].strip("| `")):
                 found = set(re.findall(r"`([^`]+)`", cells[1] + cells[2]))
-                for name in names(comparison):
+                for name in names(compared):
                     described[cells[0].strip("| `").replace("{action}", name)] |= found
 
     describe(of_a_scene, lambda path: path in shared)
@@ -251,10 +237,10 @@ def test_links_lead_to_what_is_there(entities):
     ids=["nobody", "one of each", "a crowd", "long names"],
 )
 def test_unusual_comparisons_can_be_written(settings, tmp_path):
-    entities = read_entities(write(tmp_path / "test.rrd", a_comparison(**settings)))
+    entities = read_entities(write(tmp_path / "test.rrd", with_contacts(**settings)))
     assert sum(path.endswith("/robot") for path in entities) == 2
 
 
-def test_a_full_disk_is_an_error_and_not_a_file_cut_short(comparison):
+def test_a_full_disk_is_an_error_and_not_a_file_cut_short(compared):
     with pytest.raises(OSError, match="No space left"):
-        write(Path("/dev/full"), comparison)
+        write(Path("/dev/full"), compared)

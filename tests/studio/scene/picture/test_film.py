@@ -22,6 +22,7 @@ from studio.scene.picture.film import (
 from studio.scene.picture.page import compose_picture
 from studio.style.palette import LIGHT
 from tests.canvases import check_texts, red_pixels
+from tests.films import frames_of
 
 SIZE = (640, 360)
 MANY_ACTIONS = tuple(MetaAction(f"action number {index}", 0.1 * index, 0.0) for index in range(20))
@@ -50,11 +51,6 @@ def film(default, tmp_path_factory):
     path = tmp_path_factory.mktemp("film") / "film.mp4"
     write_mp4(path, compose_film(*default, SIZE, 30), SIZE, 30)
     return path
-
-
-def decoded(path):
-    with av.open(str(path)) as container:
-        return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
 
 
 def drawn(rollouts, judgements, size=SIZE):
@@ -91,7 +87,7 @@ def test_the_film_plays_in_every_player(default, film):
 
 def test_the_film_has_every_frame_of_every_action_and_of_the_ending(default, film):
     rollouts, _ = default
-    frames = decoded(film)
+    frames = frames_of(film)
     played = len(frame_times(0.0, rollouts.horizon, play_speed(rollouts.horizon), 30))
     assert played == 1 + round(rollouts.horizon * 30) + 15
     assert len(frames) == 2 * played + 75
@@ -107,7 +103,7 @@ def test_every_action_begins_with_a_key_frame_to_jump_to(default, film):
 
 
 def test_decoded_colours_are_the_drawn_ones(default, film):
-    frames = decoded(film)
+    frames = frames_of(film)
     originals = itertools.chain(*drawn(*default))
     for drawn_frame, frame in list(zip(originals, frames, strict=True))[::8]:
         away = np.abs(drawn_frame.astype(int) - frame)

@@ -1,12 +1,11 @@
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-from scenes import META_ACTIONS, Limits, MetaAction, Noise, Rollouts
+from scenes import MetaAction, Rollouts
 from studio.scene.judgements import judge
 from studio.scene.recording.pages import disagreements_page, scene_summary
 from studio.scene.recording.write import write_recording
@@ -34,30 +33,6 @@ def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> No
     page = scene_summary(rollouts, (eu, replace(eu, teacher="my aunt")))
     assert "EU goes by the mean utility; V, under their names, is" in page
     assert "my aunt goes" not in page
-
-
-def test_the_page_tells_the_command_that_makes_the_recording_again(tmp_path: Path) -> None:
-    rollouts = replace(make_rollouts(META_ACTIONS), noise=Noise(goal=0.25))
-    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
-    page = read_entities(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
-    said = "studio record --scene test.toml --seed 7 --rollouts 3 --horizon 0.5"
-    assert said in page
-    assert "--noise goal=0.25" in page
-
-
-@pytest.mark.parametrize(
-    "special",
-    [{"actions": META_ACTIONS[:2]}, {"wrap_angles": False}, {"limits": Limits(acceleration=2.0)}],
-)
-def test_where_no_command_makes_it_again_the_page_says_so(
-    special: dict[str, Any], tmp_path: Path
-) -> None:
-    rollouts = make_rollouts(special.get("actions", META_ACTIONS))
-    rollouts = replace(rollouts, **special)
-    write_recording(tmp_path / "test.rrd", rollouts, judge(rollouts))
-    page = read_entities(tmp_path / "test.rrd")["/about"]["TextDocument:text"][0][0]
-    assert "studio record" not in page
-    assert "No command does this" in page
 
 
 def test_names_of_actions_cannot_break_the_pages(tmp_path: Path) -> None:

@@ -238,7 +238,7 @@ def test_drawn_means_lie_where_the_axes_put_them(recording: Path, table: pa.Tabl
     strips = read(recording)["/figures/tk/regret"]["LineStrips2D:strips"][0]
     for curve in learning_curves(table):
         if curve.teacher == "tk":
-            expected = axes.place(curve.pairs, curve.mean)
+            expected = axes.points(curve.pairs, curve.mean)
             assert any(
                 len(strip) == len(expected) and np.allclose(strip, expected, atol=1e-6)
                 for strip in strips
@@ -264,7 +264,7 @@ def test_the_true_value_is_the_teachers(recording: Path) -> None:
     np.testing.assert_allclose(mind.truth, value(utilities, teacher.parameters))
     strips = read(recording)["/figures/tk/values/truth"]["LineStrips2D:strips"][0]
     page = np.concatenate(strips)
-    expected = np.interp(page[:, 0], *mind.axes.place(mind.x, mind.truth).T)
+    expected = np.interp(page[:, 0], *mind.axes.points(mind.x, mind.truth).T)
     np.testing.assert_allclose(page[:, 1], expected, atol=1e-3)
 
 

@@ -21,8 +21,8 @@ from studio.style.ticks import round_numbers, round_step
 def overlap_opacity(count: int) -> float:
     """Opacity of one of `count` paths.
 
-    A seventh of them on one spot look two thirds opaque, so bundles look alike however many paths
-    they are made of.
+    Where a seventh of all paths cross, they look two thirds opaque together, so bundles look alike
+    however many paths they are made of.
     """
     return float(1.0 - 0.35 ** min(7.0 / count, 1.0))
 
