@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from scenes import FAMILIES, PATTERNS
 from studio.comparison.comparison import SIDES
-from studio.style.words import action_label
+from studio.style.words import action_label, contacts_told
 
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
@@ -59,8 +59,10 @@ def compared_report(compared: Compared) -> list[str]:
     """Which action is on which side, and its contacts."""
     rollouts = compared.comparison.rollouts
     lines = [
-        f"{side}  {action_label(name):<16}{touched.sum()} of {rollouts.count} with contact"
-        for side, name, touched in zip(SIDES, rollouts.names, rollouts.touched, strict=True)
+        f"{side}  {action_label(name):<16}{contacts_told(touched, rollouts.count, rollouts.count)}"
+        for side, name, touched in zip(
+            SIDES, rollouts.names, rollouts.touched.sum(axis=1), strict=True
+        )
     ]
     return lines + files_report(compared.files)
 
