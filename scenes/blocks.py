@@ -247,11 +247,18 @@ def walk_block(
     people = crowd.starts.shape[1]
     fx, fy = np.empty((people, LANES)), np.empty((people, LANES))
     for i in range(people):
-        block.x[i], block.y[i] = crowd.starts[rollout_of, i].T
-        block.vx[i], block.vy[i] = crowd.velocities[rollout_of, i].T
-        block.goal_x[i], block.goal_y[i] = crowd.goals[rollout_of, i].T
-        block.desired_speed[i] = crowd.desired_speeds[rollout_of, i]
-        block.max_speed[i] = block.desired_speed[i] * (1.0 if extended else forces.MAX_SPEED_FACTOR)
+        # number by number: whole arrays would take the compiler a third longer
+        for lane in range(LANES):
+            k = rollout_of[lane]
+            block.x[i, lane], block.y[i, lane] = crowd.starts[k, i, 0], crowd.starts[k, i, 1]
+            block.vx[i, lane] = crowd.velocities[k, i, 0]
+            block.vy[i, lane] = crowd.velocities[k, i, 1]
+            block.goal_x[i, lane] = crowd.goals[k, i, 0]
+            block.goal_y[i, lane] = crowd.goals[k, i, 1]
+            block.desired_speed[i, lane] = crowd.desired_speeds[k, i]
+            block.max_speed[i, lane] = crowd.desired_speeds[k, i] * (
+                1.0 if extended else forces.MAX_SPEED_FACTOR
+            )
     for step in range(crowd.accelerations.shape[1]):
         for i in range(people, block.x.shape[0]):
             for lane in range(LANES):
