@@ -28,6 +28,7 @@ from studio.style.words import rounded_number
 
 _DOTS = 0.62  # share of a row's height that dots stand in, the rest is for the teachers' marks
 _SMALLEST_PITCH = 4.4  # from dot to dot, in units of the page
+_LEAST_PLOT = 0.3  # share of the figure's width that the dots have at least
 _LOWEST, _HIGHEST = 26.0, 62.0  # rows, in units of the page
 
 
@@ -40,8 +41,9 @@ def draw_utilities(
     lowest = max(_LOWEST * unit, 1.25 * canvas.type.body)
     heights, footer = (lowest, max(_HIGHEST * unit, lowest)), (3.1 + 1.3 * bool(bias)) * small
     rows = ActionRows.fit(box, rollouts.names, head_height(canvas), footer, heights)
-    gap, width = 14 * unit, _value_width(canvas, rows, judgements)
-    name_width = rows.name_width(canvas)
+    gap, name_width = 14 * unit, rows.name_width(canvas)
+    room = (1.0 - _LEAST_PLOT) * box.width - name_width - gap
+    width = min(_value_width(canvas, rows, judgements), room / max(len(judgements), 1) - gap)
     plot_width = box.width - name_width - gap - len(judgements) * (width + gap)
     names, plot, *values = box.columns((name_width, plot_width, *[width] * len(judgements)), gap)
     rows.draw_lines(canvas)
@@ -75,12 +77,12 @@ def _value_width(canvas: Canvas, rows: ActionRows, judgements: Sequence[Judgemen
     small, heading = canvas.type.small, canvas.type.heading
     widths = [0.0]
     for judgement in judgements:
-        widths.append(canvas.measure(judgement.label, heading, SEMIBOLD) + 1.1 * heading)
+        widths.append(canvas.measure(f"V {judgement.label}", heading, SEMIBOLD) + 1.2 * heading)
         for index in range(rows.shown):
             value, interval, brief = _told(judgement, index)
             told = interval if _has_two_lines(canvas, rows) else f"{value} {brief}"
-            widths.append(canvas.measure(told, small))
-    return max(widths) + 14 * canvas.unit
+            widths.append(canvas.measure(told, small) + 14 * canvas.unit)
+    return max(widths)
 
 
 _TITLES = [
@@ -208,7 +210,7 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             at = (cell.centre[0], middle - 0.54 * small)
             canvas.fit(at, value, room, body, ink, weight, anchor="centre")
             at = (cell.centre[0], middle + 0.54 * body)
-            canvas.fit(at, interval, room, small, quiet, anchor="centre")
+            canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
             wordings = [f"{value} {interval}", f"{value} {brief}", value]
             canvas.fit(cell.centre, wordings, room, small, ink, weight, anchor="centre")
