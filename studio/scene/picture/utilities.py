@@ -28,18 +28,21 @@ from studio.style.words import rounded_number
 
 _DOTS = 0.62  # share of a row's height that dots stand in, the rest is for the teachers' marks
 _SMALLEST_PITCH = 4.4  # from dot to dot, in units of the page
-_LEAST_PLOT = 0.3  # share of the figure's width that the dots have at least
-_LOWEST, _HIGHEST = 26.0, 62.0  # rows, in units of the page
+_LEAST_PLOT = 0.2  # share of the figure's width that the dots have at least
+_LOWEST, _HIGHEST = 20.0, 130.0  # rows, in units of the page
 
 
 def draw_utilities(
     canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
-) -> None:
-    """Draw the figure in a box of a page; there may be any number of teachers, also none."""
+) -> float:
+    """Draw the figure in a box of a page; there may be any number of teachers, also none.
+
+    Returns where it ends, which is the end of the box or above it, px.
+    """
     small, unit, faint = canvas.type.small, canvas.unit, canvas.theme.faint
     bias = bias_told(judgements, rollouts.names, rollouts.count) if judgements else ""
-    lowest = max(_LOWEST * unit, 1.25 * canvas.type.body)
-    heights, footer = (lowest, max(_HIGHEST * unit, lowest)), (3.1 + 1.3 * bool(bias)) * small
+    footer, lowest = (3.1 + 1.3 * bool(bias)) * small, max(_LOWEST * unit, 1.05 * small)
+    heights = lowest, max(_HIGHEST * unit, lowest)
     rows = ActionRows.fit(box, rollouts.names, head_height(canvas), footer, heights)
     gap, name_width = 14 * unit, rows.name_width(canvas)
     room = (1.0 - _LEAST_PLOT) * box.width - name_width - gap
@@ -57,6 +60,7 @@ def draw_utilities(
     placed = canvas.fit(at, _notes(judgements), box.width, small, faint, line="top")
     at, brief = (box.left, placed.bottom + 0.2 * small), bias.partition(", held")[0]
     canvas.fit(at, [bias, brief], box.width, small, faint, line="top")
+    return rows.box.bottom
 
 
 def _has_two_lines(canvas: Canvas, rows: ActionRows) -> bool:
@@ -96,9 +100,14 @@ def _legends(rollouts: Rollouts) -> list[str]:
     kinds, count = contact_kinds(rollouts), rollouts.count
     dots = len(QuantileDots.of(np.zeros(count), np.zeros(count, np.int64)).values)
     told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count:,} rollouts"
-    person = "×: touches a person" if (kinds == PERSON).any() else ""
-    wall = "□: touches a wall" if (kinds == WALL).any() else ""
-    return joined((told, person, wall), (told, person.replace("touches a ", ""), wall[:7]), (told,))
+    touched = [kind for kind in (PERSON, WALL) if (kinds == kind).any()]
+    long = {PERSON: "×: touches a person", WALL: "□: touches a wall"}
+    short = {PERSON: "× a person", WALL: "□ a wall"}
+    return joined(
+        (told, *(long[kind] for kind in touched)),
+        (told, *(short[kind] for kind in touched)),
+        (told,),
+    )
 
 
 def _notes(judgements: Sequence[Judgement]) -> list[str]:
@@ -205,7 +214,7 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             else:
                 canvas.rounded(pill.inset(max(1.0, 2 * unit)), 5 * unit, theme.ground)
         value, interval, brief = _told(judgement, index)
-        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 8 * unit
+        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 6 * unit
         if _has_two_lines(canvas, rows):
             at = (cell.centre[0], middle - 0.54 * small)
             canvas.fit(at, value, room, body, ink, weight, anchor="centre")
@@ -213,4 +222,4 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
             wordings = [f"{value} {interval}", f"{value} {brief}", value]
-            canvas.fit(cell.centre, wordings, room, small, ink, weight, anchor="centre")
+            canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")
