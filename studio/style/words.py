@@ -70,14 +70,22 @@ def estimate_told(value: float, low: float, high: float) -> str:
 
 
 def share_told(value: float, low: float, high: float) -> str:
-    """A share in percent with its 95 % interval: "12 % [6, 24]"."""
-    return f"{100.0 * value:.0f} % [{100.0 * low:.0f}, {100.0 * high:.0f}]"
+    """A share in percent with its 95 % interval: "12 % [6, 24]", or "0.9 % [0.7, 1.2]"."""
+    decimals = 0 if high - low >= 0.02 else 1
+    share, *ends = (rounded_number(100.0 * end, decimals, ".15g") for end in (value, low, high))
+    return f"{share} % [{ends[0]}, {ends[1]}]"
 
 
 def alternatives(names: Sequence[str]) -> str:
     """Names of which one holds, it is open which: "forward", "forward or stop", "a, b or c"."""
     *others, last = names
     return f"{', '.join(others)} or {last}" if others else last
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names that all hold: "EU", "EU and T&K", "a, b and c"."""
+    *others, last = names
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def counted(count: int, thing: str) -> str:

@@ -11,9 +11,11 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
 from studio.painter.lettering import REGULAR
+from studio.painter.marks import cross, dashed_path, hollow_square
 from studio.painter.views import View
-from studio.scene.framing import bounds_of_shape
+from studio.scene.framing import beyond_edges, bounds_of_shape
 from studio.scene.groups import shortest_links
+from studio.scene.true_walks import true_walks
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_numbers, round_step
 
@@ -69,6 +71,14 @@ def draw_people(canvas: Canvas, view: View, people: FloatArray) -> None:
         canvas.disc(centre, radius, canvas.theme.pedestrian)
 
 
+def draw_true_walks(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+    """Draw where the people of a real crowd truly walked, dashed."""
+    for walk in true_walks(rollouts).swapaxes(0, 1):
+        known = walk[~np.isnan(walk[:, 0])]
+        if len(known) > 1:
+            dashed_path(canvas, view.to_pixels(known), canvas.theme.ink, 1.2 * canvas.unit)
+
+
 def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> None:
     """Draw the robot at a pose (x, y in m, heading in rad): a disc with an arrowhead."""
     radius = max(ROBOT_RADIUS * view.scale, 4.0 * canvas.unit)
@@ -80,11 +90,26 @@ def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> 
     canvas.polygon(centre + 0.66 * radius * corners, canvas.theme.ground)
 
 
-def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
-    """Mark places [N, 2] (m) at which the robot first touched something."""
+def draw_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a person, with crosses.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(radius * canvas.unit, 2.0), canvas.theme
     for centre in view.to_pixels(places):
-        canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
-        canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+        cross(canvas, centre, reach, theme.contact, theme.ground)
+
+
+def draw_wall_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a wall, with squares.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(0.9 * radius * canvas.unit, 2.0), canvas.theme
+    rim = reach + max(1.0, canvas.unit)
+    for centre in view.to_pixels(places):
+        hollow_square(canvas, centre, rim, theme.ground, theme.ground)
+        hollow_square(canvas, centre, reach, theme.contact, theme.ground)
 
 
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
@@ -111,6 +136,31 @@ def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
     """The label of the goal that was drawn at a point (px)."""
     size, ink, reach = canvas.type.small, canvas.theme.ink, 13 * canvas.unit
     return Label("goal", size, REGULAR, ink, goal, reach, direction)
+
+
+def draw_people_beyond(canvas: Canvas, view: View, scene: Scene) -> list[Label]:
+    """Draw an arrow at each edge of a view beyond which people start.
+
+    Returns the labels of the arrows, which say how many people start there.
+    """
+    unit, small, labels = canvas.unit, canvas.type.small, list[Label]()
+    for beyond in beyond_edges(scene.starts, view.bounds):
+        (right, up), away = beyond.direction, 9 * unit
+        x, y = view.to_pixels(beyond.place).tolist()
+        frame = view.box.inset(away)
+        # the tip touches the edge, and neither corner is cut off
+        x = min(max(x, frame.left), frame.right) + away * right
+        y = min(max(y, frame.top), frame.bottom) - away * up
+        tip, back = np.array([x, y]), np.array([-right, up])
+        across = np.array([up, right])
+        corners = [tip, *(tip + 10 * unit * back + side * 7 * unit * across for side in (-1, 1))]
+        canvas.polygon(corners, canvas.theme.pedestrian)
+        middle, ink = tip + 5 * unit * back, canvas.theme.ink
+        people = "person" if beyond.count == 1 else "people"
+        text, direction = f"{beyond.count} more {people}", (-right, up)
+        place = (float(middle[0]), float(middle[1]))
+        labels.append(Label(text, small, REGULAR, ink, place, 8 * unit, direction))
+    return labels
 
 
 def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:
