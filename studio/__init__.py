@@ -1,5 +1,6 @@
 """The orchestrator and everything a person touches."""
 
+from studio.kinds import open_recording
 from studio.orchestrator import Studio
 
-__all__ = ["Studio"]
+__all__ = ["Studio", "open_recording"]
