@@ -10,6 +10,7 @@ from learners.fitting.fits import Fit, Learner, Problem, fit_many, unit_vector
 from learners.fitting.precision import Precision, attainable_precision
 from learners.fitting.registry import LEARNERS, find_learners
 from learners.judging.parameters import PROFILES, REWARD, CptLike, CptParameters
+from learners.judging.sampling import expected_sample_value, resampled_values
 from learners.judging.teachers import BETA, TEACHERS, Teacher, find_teachers
 from learners.judging.values import decision_weights, expected_utility, prospect_value, value
 from learners.judging.weighting import Weighting, weight
@@ -79,6 +80,7 @@ __all__ = [
     "attainable_precision",
     "decision_weights",
     "evaluate",
+    "expected_sample_value",
     "expected_utility",
     "family_curves",
     "family_table",
@@ -91,6 +93,7 @@ __all__ = [
     "prospect_value",
     "read_bank",
     "read_preferences",
+    "resampled_values",
     "run_study",
     "sample_pairs",
     "scene_regrets",

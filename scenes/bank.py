@@ -30,7 +30,7 @@ from scenes.robot import Limits
 from scenes.rollouts import DEFAULT_STEP, Engine, Rollouts, simulate
 from scenes.scene import Scene
 
-_BANK_VERSION = 1  # of the file's columns and metadata
+_BANK_VERSION = 2  # of the file's columns and metadata
 _KEY = b"prospect_studio"  # of the metadata
 _ROWS_PER_GROUP = 20_000  # a group of rows is written as soon as this many rows wait for it
 
@@ -39,6 +39,9 @@ MOST_SCENES = 1_000_000
 
 METRES = ("clearance_m", "deviation_m", "progress_m")
 """The columns in metres: the first features before they are scaled, and fields of `Rollouts`."""
+
+CONTACTS = ("people_touched", "wall_touched")
+"""The columns that tell apart what `collisions` counts together; properties of `Rollouts`."""
 
 BANK_SCHEMA = pa.schema(
     pa.field(name, kind, nullable=False)
@@ -49,6 +52,8 @@ BANK_SCHEMA = pa.schema(
         "action": pa.string(),
         "rollout": pa.int64(),
         **dict.fromkeys((*FEATURES, *METRES), pa.float64()),
+        "people_touched": pa.int64(),
+        "wall_touched": pa.bool_(),
     }.items()
 )
 """The columns of the bank."""
@@ -158,7 +163,7 @@ def outcome_rows(rollouts: Rollouts) -> pa.Table:
         [name for name in rollouts.names for _ in range(rollouts.count)],
         [*range(rollouts.count)] * len(rollouts.actions),
         *rollouts.features.reshape(rows, -1).T,
-        *(getattr(rollouts, name).ravel() for name in METRES),
+        *(getattr(rollouts, name).ravel() for name in (*METRES, *CONTACTS)),
     )
     return pa.table(dict(zip(BANK_SCHEMA.names, columns, strict=True)), schema=BANK_SCHEMA)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scenes.arrays import FloatArray, IntArray
+from scenes.arrays import BoolArray, FloatArray, IntArray
 from scenes.geometry import distance_to_walls, lengths
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS, Scene
 
@@ -36,15 +36,47 @@ class Outcomes:
         deviation_m: [A, K], mean over pedestrians and time of the distance between a pedestrian's
             path and the one without the robot, m.
         progress_m: [A, K], how much closer the robot got to its goal, m.
-        contact_step: [A, K], first step at which the robot touches a pedestrian or a wall;
-            -1 if it never does.
+        person_step: [A, K], first step at which the robot touches a pedestrian; -1 if it never
+            does.
+        wall_step: [A, K], first step at which the robot touches a wall; -1 if it never does.
     """
 
     features: FloatArray
     clearance_m: FloatArray
     deviation_m: FloatArray
     progress_m: FloatArray
-    contact_step: IntArray
+    person_step: IntArray
+    wall_step: IntArray
+
+    @property
+    def count(self) -> int:
+        """How many outcomes there are of each action, K."""
+        return int(self.features.shape[1])
+
+    @property
+    def contact_step(self) -> IntArray:
+        """[A, K]: first step at which the robot touches a pedestrian or a wall; -1 for never."""
+        earlier = np.minimum(self.person_step, self.wall_step)
+        # where one of the two is -1, the other one tells
+        return np.where(earlier >= 0, earlier, np.maximum(self.person_step, self.wall_step))
+
+    @property
+    def touched(self) -> BoolArray:
+        """[A, K]: whether the robot ever touches a pedestrian or a wall."""
+        touched: BoolArray = self.contact_step >= 0
+        return touched
+
+    @property
+    def wall_touched(self) -> BoolArray:
+        """[A, K]: whether the robot ever touches a wall."""
+        touched: BoolArray = self.wall_step >= 0
+        return touched
+
+    @property
+    def people_touched(self) -> IntArray:
+        """[A, K]: how many pedestrians the robot touches, which `collisions` counts with walls."""
+        collisions = self.features[..., FEATURES.index("collisions")]
+        return np.rint(collisions).astype(np.int64) - self.wall_touched
 
 
 def gaps(robot: FloatArray, pedestrians: FloatArray) -> FloatArray:
@@ -80,11 +112,9 @@ def describe(
     progress = to_goal[..., 0] - to_goal[..., -1]
     turning = np.abs(np.diff(robot[..., 2], axis=-1)).sum(axis=-1)  # (A, K)
 
-    touches_wall = distance_to_walls(robot[..., :2], scene.wall_segments) < ROBOT_RADIUS
-    touched = np.concatenate([gap < 0.0, touches_wall[..., None]], axis=-1)  # (A, K, T+1, P+1)
-    collisions = touched.any(axis=2).sum(axis=-1)
-    in_contact = touched.any(axis=-1)
-    first = np.where(in_contact.any(axis=-1), in_contact.argmax(axis=-1), -1)
+    touches_people = gap < 0.0  # (A, K, T+1, P)
+    touches_wall: BoolArray = distance_to_walls(robot[..., :2], scene.wall_segments) < ROBOT_RADIUS
+    collisions = touches_people.any(axis=2).sum(axis=-1) + touches_wall.any(axis=-1)
 
     horizon = (robot.shape[2] - 1) * dt
     features = np.stack(
@@ -102,5 +132,14 @@ def describe(
         clearance_m=clearance,
         deviation_m=deviation,
         progress_m=progress,
-        contact_step=first,
+        person_step=first_step(np.any(touches_people, axis=-1)),
+        wall_step=first_step(touches_wall),
     )
+
+
+def first_step(happens: BoolArray) -> IntArray:
+    """The first step at which something happens that is told for every one, -1 for never.
+
+    Steps are the last axis: [..., T+1] gives [...].
+    """
+    return np.where(happens.any(axis=-1), happens.argmax(axis=-1), -1)

@@ -1,14 +1,14 @@
 """Rollouts: a scene simulated many times under each action."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import Literal, get_args
 
 import numpy as np
 
 from scenes.actions import META_ACTIONS, MetaAction
-from scenes.arrays import BoolArray, FloatArray
+from scenes.arrays import FloatArray
 from scenes.crowd import ForceSet, Walk, surroundings_of
 from scenes.errors import LARGEST_SEED, InputError, check_whole
 from scenes.features import Outcomes, describe
@@ -37,12 +37,13 @@ class Rollouts(Outcomes):
     """K rollouts of one scene under each of A actions, over T steps, among P pedestrians.
 
     They have the `features` and all else that `scenes.features.Outcomes` describes, and what
-    `simulate` was given.
+    `simulate` was given. The paths may be kept of the first M rollouts only, since thousands of
+    them can neither be looked at nor kept in a small file; M is K unless `keep_paths` says so.
 
     Attributes:
-        robot: [A, K, T+1, 3]: x and y in m, heading in rad.
-        pedestrians: [A, K, T+1, P, 2], m.
-        without_robot: [K, T+1, P, 2], m: the same people under the same noise without the robot.
+        robot: [A, M, T+1, 3]: x and y in m, heading in rad.
+        pedestrians: [A, M, T+1, P, 2], m.
+        without_robot: [M, T+1, P, 2], m: the same people under the same noise without the robot.
     """
 
     scene: Scene
@@ -59,8 +60,8 @@ class Rollouts(Outcomes):
     without_robot: FloatArray
 
     @property
-    def count(self) -> int:
-        """How many rollouts there are of each action, K."""
+    def paths(self) -> int:
+        """Of how many rollouts of each action the paths are kept, M."""
         return int(self.robot.shape[1])
 
     @property
@@ -74,15 +75,25 @@ class Rollouts(Outcomes):
         return tuple(action.name for action in self.actions)
 
     @property
-    def touched(self) -> BoolArray:
-        """[A, K]: whether the robot ever touches a pedestrian or a wall."""
-        touched: BoolArray = self.contact_step >= 0
-        return touched
-
-    @property
     def horizon(self) -> float:
         """Simulated time, s."""
         return float(self.steps * self.dt)
+
+    def keep_paths(self, count: int) -> "Rollouts":
+        """The same rollouts, of which only the first `count` of each action keep their paths."""
+        return replace(
+            self,
+            robot=self.robot[:, :count],
+            pedestrians=self.pedestrians[:, :count],
+            without_robot=self.without_robot[:count],
+        )
+
+    def with_paths(self) -> "Rollouts":
+        """The rollouts whose paths are kept, as if there were no others: K is M in them."""
+        if self.paths == self.count:
+            return self
+        kept = {each.name: getattr(self, each.name)[:, : self.paths] for each in fields(Outcomes)}
+        return replace(self, **kept)
 
 
 def simulate(

@@ -115,8 +115,9 @@ class Studio:
 
             from studio.scene.judgements import judge
             from studio.scene.recording.write import write_recording
+            from studio.scene.reference import reference_utilities
 
-            judgements = judge(rollouts)
+            judgements = judge(rollouts, reference=reference_utilities(rollouts))
             write_recording(part, rollouts, judgements)
         return Recorded(files=files, rollouts=rollouts, judgements=judgements)
 
@@ -150,8 +151,10 @@ class Studio:
 
             from studio.comparison.recording.write import write_comparison_recording
             from studio.scene.judgements import judge
+            from studio.scene.reference import reference_utilities
 
-            judgements = judge(comparison.rollouts)
+            reference = reference_utilities(comparison.rollouts)
+            judgements = judge(comparison.rollouts, reference=reference)
             write_comparison_recording(part, comparison, judgements)
         return Compared(files=files, comparison=comparison, judgements=judgements)
 

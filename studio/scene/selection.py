@@ -14,7 +14,8 @@ _BY_ACTION = (
     "clearance_m",
     "deviation_m",
     "progress_m",
-    "contact_step",
+    "person_step",
+    "wall_step",
 )
 """The arrays of rollouts whose first axis is the actions."""
 

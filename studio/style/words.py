@@ -1,5 +1,7 @@
 """Names, numbers and counts as people read them, in figures and in text."""
 
+from collections.abc import Sequence
+
 LONGEST_NAME = 22
 """Longer names of actions are cut in figures, in characters."""
 
@@ -53,6 +55,23 @@ def signed(value: float) -> str:
     """A number with two decimals and its sign; one that rounds to 0 has no sign."""
     text = number(value, "+.2f")
     return text if text.strip("+−0.") else "0.00"
+
+
+def estimate_told(value: float, low: float, high: float, form: str = ".3f") -> str:
+    """An estimate with its 95 % interval: "0.142 [0.120, 0.161]"."""
+    ends = (number(round(end, 12) + 0.0, form) for end in (value, low, high))
+    return "{} [{}, {}]".format(*ends)
+
+
+def share_told(value: float, low: float, high: float) -> str:
+    """A share in percent with its 95 % interval: "12 % [6, 24]"."""
+    return f"{100.0 * value:.0f} % [{100.0 * low:.0f}, {100.0 * high:.0f}]"
+
+
+def alternatives(names: Sequence[str]) -> str:
+    """Names of which one holds, it is open which: "forward", "forward or stop", "a, b or c"."""
+    *others, last = names
+    return f"{', '.join(others)} or {last}" if others else last
 
 
 def counted(count: int, thing: str) -> str:

@@ -27,6 +27,7 @@ CURVES = (GAIN_WEIGHTS, LOSS_WEIGHTS, DECISION_WEIGHTS, VALUES)  # from the left
 RANKS = "figures/ranks"
 OUTCOMES = "outcomes"
 JUDGEMENTS = "judgements"
+REFERENCE = "reference"
 GAP = "clearance"
 SUMMARY = "summary"
 DISAGREEMENTS = "disagreements"

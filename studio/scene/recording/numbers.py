@@ -19,7 +19,8 @@ def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
     columns: dict[str, Any] = {
         feature: rollouts.features[..., column].ravel() for column, feature in enumerate(FEATURES)
     }
-    columns["contact_step"] = rollouts.contact_step.ravel()
+    columns["person_step"] = rollouts.person_step.ravel()
+    columns["wall_step"] = rollouts.wall_step.ravel()
     stream.log(entities.OUTCOMES, rr.AnyValues(**columns), static=True)
 
 
@@ -27,6 +28,10 @@ def log_judgements(stream: rr.RecordingStream, judgements: tuple[Judgement, ...]
     """Keep the value of every action to every teacher."""
     values: dict[str, Any] = {judgement.teacher: judgement.values for judgement in judgements}
     stream.log(entities.JUDGEMENTS, rr.AnyValues(**values), static=True)
+    reference = judgements[0].reference if judgements else None
+    if reference is not None:
+        many = rr.AnyValues(utilities=reference.utilities.ravel())
+        stream.log(entities.REFERENCE, many, static=True)
 
 
 def log_gap(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:

@@ -1,16 +1,19 @@
 """Read a scene back from its recording: everything that pictures and films are made of."""
 
 import tomllib
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from learners import PROFILES, CptParameters
-from scenes import FEATURES, Limits, MetaAction, Noise, Rollouts, scene_from_toml
-from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED
-from studio.arrays import FloatArray
+from scenes import FEATURES, Limits, MetaAction, Noise, Rollouts, Scene, scene_from_toml
+from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED, first_step, gaps
+from scenes.geometry import distance_to_walls
+from scenes.scene import ROBOT_RADIUS
+from studio.arrays import FloatArray, IntArray
 from studio.recorder.contents import Contents
-from studio.scene.judgements import Judgement
+from studio.scene.judgements import Judgement, judge
 from studio.scene.recording import entities
 
 
@@ -31,7 +34,7 @@ def read_scene(contents: Contents) -> tuple[Rollouts, tuple[Judgement, ...]]:
     for array in vars(rollouts).values():
         if isinstance(array, np.ndarray):
             array.setflags(write=False)
-    return rollouts, _judgements(contents, rollouts.names)
+    return rollouts, _judgements(contents, rollouts)
 
 
 def _rollouts(contents: Contents) -> Rollouts:
@@ -63,7 +66,9 @@ def _rollouts(contents: Contents) -> Rollouts:
     outcomes = f"/{entities.OUTCOMES}"
     columns = [contents.static(outcomes, feature) for feature in FEATURES]
     features = np.stack(columns, axis=-1).reshape(*shape, len(FEATURES)).astype(np.float64)
-    contact_step = contents.static(outcomes, "contact_step")
+    driven = np.array(robot, np.float64).reshape(*shape, times, 3)
+    walked = np.array(pedestrians, np.float64)
+    person_step, wall_step = _contact_steps(contents, scene, driven, walked)
     return Rollouts(
         scene=scene,
         actions=actions,
@@ -74,15 +79,47 @@ def _rollouts(contents: Contents) -> Rollouts:
         engine=told["engine"],
         wrap_angles=bool(told["wrap_angles"]),
         dt=dt,
-        robot=np.array(robot, np.float64).reshape(*shape, times, 3),
-        pedestrians=np.array(pedestrians, np.float64),
+        robot=driven,
+        pedestrians=walked,
         without_robot=_without_robot(contents, times, people),
         features=features,
         clearance_m=CLEARANCE_SCALE * features[..., 0],
         deviation_m=DEVIATION_SCALE * features[..., 1],
         progress_m=PROGRESS_SPEED * horizon * features[..., 2],
-        contact_step=contact_step.astype(np.int64).reshape(shape),
+        person_step=person_step,
+        wall_step=wall_step,
     )
+
+
+def _contact_steps(
+    contents: Contents, scene: Scene, robot: FloatArray, pedestrians: FloatArray
+) -> tuple[IntArray, IntArray]:
+    """The first steps at which people and at which walls are touched, [A, K] each, -1 for never.
+
+    Recordings up to edition 2 tell the first step of any contact and how many are touched. Of what
+    kind the contact is then follows from where everybody is, which is rounded by some millimetres.
+    """
+    entity, shape = f"/{entities.OUTCOMES}", robot.shape[:2]
+    if contents.has(entity, "person_step"):
+        people, walls = (
+            contents.static(entity, name).astype(np.int64).reshape(shape)
+            for name in ("person_step", "wall_step")
+        )
+        return people, walls
+    first = contents.static(entity, "contact_step").astype(np.int64).reshape(shape)
+    collisions = contents.static(entity, "collisions").reshape(shape)
+    to_people = gaps(robot, pedestrians).min(axis=-1, initial=np.inf)  # (A, K, T+1)
+    to_walls = distance_to_walls(robot[..., :2], scene.wall_segments) - ROBOT_RADIUS
+    at_first = np.maximum(first, 0)[..., None]
+    nearer = [np.take_along_axis(gap, at_first, axis=-1)[..., 0] for gap in (to_people, to_walls)]
+    is_person = nearer[0] <= nearer[1]
+    steps = []
+    for gap, is_first in ((to_people, is_person), (to_walls, ~is_person)):
+        later = first_step(gap < 0.0)
+        # of a single contact there is no second kind
+        later = np.where((collisions > 1) & (later >= 0), np.maximum(later, first), -1)
+        steps.append(np.where(first < 0, -1, np.where(is_first, first, later)))
+    return steps[0], steps[1]
 
 
 def _without_robot(contents: Contents, times: int, people: int) -> FloatArray:
@@ -95,15 +132,23 @@ def _without_robot(contents: Contents, times: int, people: int) -> FloatArray:
     return walks.reshape(-1, people, times, 2).swapaxes(1, 2)
 
 
-def _judgements(contents: Contents, actions: tuple[str, ...]) -> tuple[Judgement, ...]:
+def _judgements(contents: Contents, rollouts: Rollouts) -> tuple[Judgement, ...]:
     profiles = PROFILES
     if contents.has(entities.SIMULATION, "teachers"):
         told: dict[str, Any] = tomllib.loads(contents.text(entities.SIMULATION, "teachers"))
         profiles = {name: CptParameters(**numbers) for name, numbers in told.items()}
     judgements = []
-    for teacher, parameters in profiles.items():
-        values = contents.static(f"/{entities.JUDGEMENTS}", teacher).astype(np.float64)
-        if values.shape != (len(actions),):
-            raise contents.damaged(f"{teacher} judges {values.size} actions")
-        judgements.append(Judgement(teacher, parameters, values))
+    for judged in judge(rollouts, profiles, _reference(contents, len(rollouts.names))):
+        values = contents.static(f"/{entities.JUDGEMENTS}", judged.teacher).astype(np.float64)
+        if values.shape != judged.values.shape:
+            raise contents.damaged(f"{judged.teacher} judges {values.size} actions")
+        judgements.append(replace(judged, values=values))
     return tuple(judgements)
+
+
+def _reference(contents: Contents, actions: int) -> FloatArray | None:
+    """Utilities of the many outcomes that values are held against, [A, M], if there are any."""
+    entity = f"/{entities.REFERENCE}"
+    if not contents.has(entity, "utilities"):
+        return None
+    return contents.static(entity, "utilities").astype(np.float64).reshape(actions, -1)

@@ -28,7 +28,10 @@ def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES,
         return comparison
     steps = np.where(np.array(contact), min(2, simulated.steps), -1)
     return dataclasses.replace(
-        comparison, rollouts=dataclasses.replace(comparison.rollouts, contact_step=steps)
+        comparison,
+        rollouts=dataclasses.replace(
+            comparison.rollouts, person_step=steps, wall_step=np.full(steps.shape, -1)
+        ),
     )
 
 

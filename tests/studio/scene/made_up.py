@@ -51,8 +51,10 @@ def make_rollouts(
         scene.starts + walk, (len(actions), rollouts, steps + 1, people, 2)
     )
     shape = (len(actions), rollouts)
-    contact_step = np.full(shape, -1)
-    contact_step[0, 0] = min(2, steps)
+    person_step = np.full(shape, -1)
+    person_step[0, 0] = min(2, steps)
+    features = rng.uniform(0.0, 1.0, (*shape, len(FEATURES)))
+    features[..., FEATURES.index("collisions")] = person_step >= 0
     return Rollouts(
         scene=scene,
         actions=actions,
@@ -66,9 +68,10 @@ def make_rollouts(
         robot=robot,
         pedestrians=pedestrians,
         without_robot=pedestrians[0],
-        features=rng.uniform(0.0, 1.0, (*shape, len(FEATURES))),
+        features=features,
         clearance_m=rng.uniform(0.0, 2.0, shape),
         deviation_m=rng.uniform(0.0, 0.5, shape),
         progress_m=rng.uniform(0.0, 4.0, shape),
-        contact_step=contact_step,
+        person_step=person_step,
+        wall_step=np.full(shape, -1),
     )

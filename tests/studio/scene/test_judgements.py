@@ -6,7 +6,8 @@ from studio.scene.judgements import Judgement
 
 
 def judgement(*values: float, teacher: str = "eu") -> Judgement:
-    return Judgement(teacher, PROFILES[teacher], np.array(values))
+    given = np.array(values)
+    return Judgement(teacher, PROFILES[teacher], given, given[None])
 
 
 @pytest.mark.parametrize("teacher", list(PROFILES))

@@ -5,7 +5,15 @@ from scenes import Pedestrian, Robot, Scene, simulate
 from studio.errors import InputError
 from studio.scene.selection import only
 
-BY_ACTION = ("robot", "pedestrians", "features", "clearance_m", "progress_m", "contact_step")
+BY_ACTION = (
+    "robot",
+    "pedestrians",
+    "features",
+    "clearance_m",
+    "progress_m",
+    "person_step",
+    "wall_step",
+)
 
 
 @pytest.fixture(scope="module")

@@ -79,7 +79,8 @@ def test_it_holds_the_numbers_of_both_actions_where_a_scene_has_them(entities, c
         walks = rollouts.pedestrians[side].swapaxes(0, 1)
         np.testing.assert_allclose(np.array(people).reshape(walks.shape), walks, atol=HALF_A_STEP)
     outcomes = entities["/outcomes"]
-    assert outcomes["contact_step"][0] == rollouts.contact_step.ravel().tolist()
+    assert outcomes["person_step"][0] == rollouts.person_step.ravel().tolist()
+    assert outcomes["wall_step"][0] == rollouts.wall_step.ravel().tolist()
     np.testing.assert_allclose(outcomes["progress"][0], rollouts.features[..., 2].ravel(), 1e-6)
     assert len(entities["/judgements"]["tk"][0]) == 2
 
@@ -174,7 +175,8 @@ def test_red_dots_lie_below_the_others_at_any_time(seed, tmp_path):
         comparison,
         rollouts=replace(
             comparison.rollouts,
-            contact_step=rng.choice([-1, 1], (2, 12)),
+            person_step=rng.choice([-1, 1], (2, 12)),
+            wall_step=np.full((2, 12), -1),
             progress_m=rng.choice([0.1, 0.9], (2, 12)),
         ),
     )

@@ -120,7 +120,7 @@ def test_the_same_input_gives_the_same_bytes(default, film, tmp_path):
 
 def test_robots_turn_red_when_they_touch_something_and_not_before(default):
     rollouts, _ = default
-    touching = dataclasses.replace(rollouts, contact_step=np.full((2, 4), 3))
+    touching = dataclasses.replace(rollouts, person_step=np.full((2, 4), 3))
     page = lay_out_film(touching, (1280, 720))
     reds = []
     for canvas in play_action(page, touching, 0, np.array([0.0, 0.2, 0.3, 0.4])):

@@ -94,7 +94,7 @@ def default():
 
 
 def with_contacts(rollouts, step):
-    return dataclasses.replace(rollouts, contact_step=np.full_like(rollouts.contact_step, step))
+    return dataclasses.replace(rollouts, person_step=np.full_like(rollouts.person_step, step))
 
 
 @pytest.mark.parametrize(("name", "size", "theme"), PAGES)

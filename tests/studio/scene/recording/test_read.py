@@ -10,7 +10,7 @@ import pytest
 from learners import PROFILES
 from scenes import Rollouts, load_scene, simulate
 from studio.kinds import read_recording
-from studio.scene.judgements import Judgement, judge
+from studio.scene.judgements import judge
 from studio.scene.kind import SceneRecording
 from studio.scene.recording.write import write_recording
 
@@ -71,8 +71,7 @@ def test_what_is_read_and_written_again_reads_the_same(recording: Path, tmp_path
 def test_teachers_of_ones_own_are_read_back_in_their_order(
     rollouts: Rollouts, tmp_path: Path
 ) -> None:
-    values = np.arange(7.0)
-    own = (Judgement("zoë", PROFILES["tk"], values), Judgement("adam", PROFILES["eu"], -values))
+    own = judge(rollouts, {"zoë": PROFILES["tk"], "adam": PROFILES["eu"]})
     write_recording(tmp_path / "own.rrd", rollouts, own)
     assert [each.teacher for each in read_scene(tmp_path / "own.rrd").judgements] == ["zoë", "adam"]
 

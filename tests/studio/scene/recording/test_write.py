@@ -10,7 +10,7 @@ import rerun as rr
 
 from learners import value
 from scenes import FEATURES, META_ACTIONS, MetaAction, Rollouts, scene_from_toml
-from studio.scene.judgements import Judgement, judge, utilities
+from studio.scene.judgements import judge, utilities
 from studio.scene.recording.write import SCHEMA_VERSION, write_recording
 from studio.style.palette import ACTION_COLOURS, LIGHT
 from studio.style.words import action_label
@@ -155,7 +155,8 @@ def test_outcomes_are_those_that_were_given(recording: Path, rollouts: Rollouts)
     for column, feature in enumerate(FEATURES):
         given = rollouts.features[..., column].ravel()
         np.testing.assert_allclose(outcomes[feature][0], given, rtol=1e-6)
-    assert outcomes["contact_step"][0] == rollouts.contact_step.ravel().tolist()
+    assert outcomes["person_step"][0] == rollouts.person_step.ravel().tolist()
+    assert outcomes["wall_step"][0] == rollouts.wall_step.ravel().tolist()
 
 
 def test_judgements_are_those_that_were_given(recording: Path, rollouts: Rollouts) -> None:
@@ -235,7 +236,7 @@ def test_opens_on_the_overview_with_a_tab_an_action(recording: Path, rollouts: R
             )
         ),
         make_rollouts(actions=(MetaAction("θ → λ·½", 1.0, 0.0), MetaAction("γ", 0.0, 0.0))),
-        replace(make_rollouts(), contact_step=np.full((2, 3), -1)),
+        replace(make_rollouts(), person_step=np.full((2, 3), -1)),
     ],
     ids=[
         "nobody",
@@ -269,6 +270,6 @@ def test_a_full_disk_is_an_error_and_not_a_file_cut_short(rollouts: Rollouts) ->
 
 def test_a_teacher_of_ones_own_can_be_written(rollouts: Rollouts, tmp_path: Path) -> None:
     first = judge(rollouts)[0]
-    own = Judgement("my aunt", first.parameters, first.values)
+    own = replace(first, teacher="my aunt")
     write_recording(tmp_path / "test.rrd", rollouts, (own,))
     assert "my aunt" in read_entities(tmp_path / "test.rrd")["/judgements"]
