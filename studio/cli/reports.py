@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from scenes import FAMILIES, PATTERNS
 from studio.comparison.comparison import SIDES
-from studio.style.words import action_label, contacts_told
+from studio.style.words import action_label, contacts_told, estimate_told
 
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
@@ -40,19 +40,35 @@ def sampled_report(plan: BankPlan, bank: Path) -> list[str]:
 
 
 def recorded_report(recorded: Recorded) -> list[str]:
-    """Contacts of every action and its value to every teacher, a row an action."""
+    """Contacts of every action, its value to every teacher, and who picks what, all with how sure.
+
+    The first table tells people and walls apart, the second has a column a teacher.
+    """
+    from studio.scene.words import bias_told, contact_told, draws_told, pick_with_shares
+
     rollouts, judgements = recorded.rollouts, recorded.judgements
-    heads = "".join(f"{'V ' + judgement.teacher:>10} " for judgement in judgements)
-    lines = [f"{'action':<16}{'contact':>10} {heads}"]
-    for index, (name, touched) in enumerate(zip(rollouts.names, rollouts.touched, strict=True)):
-        contacts = f"{touched.sum()} of {rollouts.count}"
-        values = "".join(
-            f"{judgement.values[index]:>10.3f}{'*' if judgement.best == index else ' '}"
-            for judgement in judgements
+    labels = [action_label(name) for name in rollouts.names]
+    width = max(16, *(len(label) + 2 for label in labels))
+    people, walls = rollouts.people_touched > 0, rollouts.wall_touched
+    lines = [f"{'contact with':<{width}}{'people':>8}{'walls':>8}  either, of {rollouts.count:,}"]
+    for index, label in enumerate(labels):
+        counts = "".join(f"{each[index].sum():>8}" for each in (people, walls))
+        lines.append(f"{label:<{width}}{counts}  {contact_told(rollouts, index)}")
+    lines += ["", f"{'value V to':<{width}}" + "".join(f"{who.label:<24}" for who in judgements)]
+    ends = [(judgement.low, judgement.high) for judgement in judgements]
+    for index, label in enumerate(labels):
+        told = (
+            estimate_told(judgement.values[index], low[index], high[index])
+            for judgement, (low, high) in zip(judgements, ends, strict=True)
         )
-        lines.append(f"{action_label(name):<16}{contacts:>10} {values}")
-    lines.append("* the action that this teacher would pick")
-    return lines + files_report(recorded.files)
+        lines.append(f"{label:<{width}}" + "".join(f"{text:<24}" for text in told))
+    lines += ["", "picks"]
+    for judgement in judgements:
+        picked = pick_with_shares(judgement, rollouts.names)
+        lines.append(f"{judgement.label:<{width}}{'' if judgement.is_sure else 'open: '}{picked}")
+    lines += ["", draws_told(judgements, rollouts.count)]
+    lines += filter(None, [bias_told(judgements, rollouts.names, rollouts.count)])
+    return [line.rstrip() for line in lines] + files_report(recorded.files)
 
 
 def compared_report(compared: Compared) -> list[str]:

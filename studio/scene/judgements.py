@@ -89,18 +89,18 @@ class Judgement:
 
     @property
     def certainty_equivalent_interval(self) -> tuple[FloatArray, FloatArray]:
-        """The 95 % intervals of the certainty equivalents: lower and upper ends, [A] each."""
+        """What 95 % of the draws give for the certainty equivalents: both ends, [A] each."""
         low, high = interval(self.resampled)
         return self._sure_utilities(low), self._sure_utilities(high)
 
     @property
     def low(self) -> FloatArray:
-        """Lower end of the 95 % interval of each value V, [A]."""
+        """What 2.5 % of the draws of rollouts lie below, for each value V, [A]."""
         return interval(self.resampled)[0]
 
     @property
     def high(self) -> FloatArray:
-        """Upper end of the 95 % interval of each value V, [A]."""
+        """What 2.5 % of the draws of rollouts lie above, for each value V, [A]."""
         return interval(self.resampled)[1]
 
     @property

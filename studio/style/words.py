@@ -57,9 +57,15 @@ def signed(value: float) -> str:
     return text if text.strip("+−0.") else "0.00"
 
 
-def estimate_told(value: float, low: float, high: float, form: str = ".3f") -> str:
-    """An estimate with its 95 % interval: "0.142 [0.120, 0.161]"."""
-    ends = (number(round(end, 12) + 0.0, form) for end in (value, low, high))
+def signed_number(value: float) -> str:
+    """A number with three decimals and its sign; one that rounds to 0 has no sign."""
+    text = number(value, "+.3f")
+    return text if text.strip("+−0.") else "0.000"
+
+
+def estimate_told(value: float, low: float, high: float) -> str:
+    """An estimate with its 95 % interval, in three decimals: "0.142 [0.120, 0.161]"."""
+    ends = (rounded_number(end, 3, ".3f") for end in (value, low, high))
     return "{} [{}, {}]".format(*ends)
 
 
@@ -76,7 +82,7 @@ def alternatives(names: Sequence[str]) -> str:
 
 def counted(count: int, thing: str) -> str:
     """A count with the thing that is counted: "1 pair", "2 pairs"."""
-    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+    return f"{count:,} {thing}" if count == 1 else f"{count:,} {thing}s"
 
 
 def contacts_told(touched: int, ended: int, count: int) -> str:

@@ -34,6 +34,8 @@ COLUMNS = [
     "clearance_m",
     "deviation_m",
     "progress_m",
+    "people_touched",
+    "wall_touched",
 ]
 PLAN = BankPlan(scenes=6, seed=11, rollouts=5, noise=Noise(goal=0.2))
 
@@ -52,7 +54,10 @@ def test_there_is_one_row_a_rollout_with_the_promised_columns(bank: Path) -> Non
     types = dict(zip(COLUMNS, map(str, table.schema.types), strict=True))
     assert types["scene"] == types["rollout"] == "int64"
     assert types["family"] == types["pattern"] == types["action"] == "string"
-    assert all(types[name] == "double" for name in COLUMNS[5:])
+    assert all(types[name] == "double" for name in COLUMNS[5:-2])
+    assert (types["people_touched"], types["wall_touched"]) == ("int64", "bool")
+    touched = zip(*(table[name].to_pylist() for name in COLUMNS[-2:]), strict=True)
+    assert table["collisions"].to_pylist() == [people + wall for people, wall in touched]
     assert sorted(set(table["family"].to_pylist())) == sorted(FAMILIES)
     assert table["action"].to_pylist()[:35:5] == [action.name for action in META_ACTIONS]
     assert table["rollout"].to_pylist()[:6] == [0, 1, 2, 3, 4, 0]

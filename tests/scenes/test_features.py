@@ -61,6 +61,22 @@ def test_collisions_count_each_person_once_and_the_walls_once() -> None:
     first = outcome.contact_step[0, 0]
     assert np.hypot(0.1 * first - 1.0, 0.1) < 0.45
     assert np.hypot(0.1 * (first - 1) - 1.0, 0.1) >= 0.45
+    assert outcome.people_touched[0, 0] == 2
+    assert outcome.wall_touched[0, 0]
+    assert outcome.person_step[0, 0] == first
+    gap = np.hypot(3.5 - 0.1 * np.arange(STEPS + 1), 0.2)  # from the ends of the walls
+    assert outcome.wall_step[0, 0] == (gap < 0.25).argmax()
+
+
+def test_the_first_contact_is_whichever_comes_first() -> None:
+    people = still_people((3.0, 0.1))
+    walled = replace(SCENE, walls=(Wall((1.0, 0.2), (1.0, 4.0)),))
+    wall_first = describe(walled, straight_robot(), people, people[0], 0.1)
+    assert 0 <= wall_first.wall_step[0, 0] < wall_first.person_step[0, 0]
+    assert wall_first.contact_step[0, 0] == wall_first.wall_step[0, 0]
+    no_wall = describe(SCENE, straight_robot(), people, people[0], 0.1)
+    assert no_wall.wall_step[0, 0] == -1
+    assert no_wall.contact_step[0, 0] == no_wall.person_step[0, 0] > 0
 
 
 def test_touching_means_nearer_than_both_radii() -> None:

@@ -1,6 +1,6 @@
 """`simulate`: what a user gets, and what is refused."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -32,6 +32,19 @@ def test_shapes_are_as_promised() -> None:
     for array in (result.robot, result.pedestrians, result.without_robot, result.features):
         assert array.dtype == np.float64
         assert np.isfinite(array).all()
+
+
+def test_paths_may_be_kept_of_some_rollouts_alone() -> None:
+    every = simulate(DOORWAY, rollouts=6, horizon=1.0)
+    some = every.keep_paths(2)
+    assert (every.paths, some.paths, some.count, some.steps) == (6, 2, 6, 10)
+    assert some.without_robot.shape[0] == 2
+    np.testing.assert_array_equal(some.features, every.features)
+    alone, two = some.with_paths(), simulate(DOORWAY, rollouts=2, horizon=1.0)
+    assert (alone.count, alone.paths) == (2, 2)
+    for field in fields(two):
+        np.testing.assert_array_equal(getattr(alone, field.name), getattr(two, field.name))
+    assert every.with_paths() is every
 
 
 def test_the_same_seed_gives_the_same_result_and_another_another() -> None:

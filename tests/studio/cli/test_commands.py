@@ -34,7 +34,7 @@ def test_record_writes_recording_picture_and_film(tmp_path: Path) -> None:
         "doorway.rrd",
     ]
     assert all(path.stat().st_size > 1000 for path in tmp_path.iterdir())
-    for word in ("forward left", "of 3", "V tk", "doorway.rrd"):
+    for word in ("forward left", "of 3", "value V to", "T&K", "doorway.rrd"):
         assert word in result.stdout
 
 
