@@ -27,6 +27,7 @@ from studio.scene.picture.page import compose_picture
 from studio.scene.picture.scenery import (
     draw_goal,
     draw_ground,
+    draw_people_beyond,
     draw_scale_bar,
     draw_walls,
     goal_label,
@@ -141,8 +142,11 @@ def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT
     draw_ground(inside, view)
     draw_walls(inside, view, rollouts.scene)
     goal = draw_goal(inside, view, rollouts.scene.robot.goal)
-    label = goal_label(canvas, goal, (1.0, 0.0))
-    draw_labels(inside, [label], panel.inset(4 * unit), canvas.theme.panel)
+    labels = [
+        goal_label(canvas, goal, (1.0, 0.0)),
+        *draw_people_beyond(inside, view, rollouts.scene),
+    ]
+    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel)
     clock = Box(scene.left, panel.bottom, scene.right, scene.bottom)
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)

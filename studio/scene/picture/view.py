@@ -22,6 +22,7 @@ from studio.scene.picture.scenery import (
     draw_ground,
     draw_groups,
     draw_people,
+    draw_people_beyond,
     draw_robot,
     draw_scale_bar,
     draw_walls,
@@ -72,6 +73,7 @@ def draw_scene(
     picks = {judgement.best for judgement in judgements}
     named = set(range(len(medians))) if len(medians) <= _MOST_LABELS else picks
     labels = _scene_labels(inside, view, rollouts, medians, goal, named)
+    labels += draw_people_beyond(inside, view, scene)
     standing = view.to_pixels([*scene.starts, scene.robot.start])
     seen = np.concatenate([medians.reshape(-1, 2), standing])
     draw_labels(inside, labels, panel.inset(4 * unit), theme.panel, seen)
