@@ -11,6 +11,7 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
 from studio.painter.lettering import REGULAR
+from studio.painter.marks import cross, hollow_square
 from studio.painter.views import View
 from studio.scene.framing import beyond_edges, bounds_of_shape
 from studio.scene.groups import shortest_links
@@ -80,11 +81,26 @@ def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> 
     canvas.polygon(centre + 0.66 * radius * corners, canvas.theme.ground)
 
 
-def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
-    """Mark places [N, 2] (m) at which the robot first touched something."""
+def draw_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a person, with crosses.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(radius * canvas.unit, 2.0), canvas.theme
     for centre in view.to_pixels(places):
-        canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
-        canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+        cross(canvas, centre, reach, theme.contact, theme.ground)
+
+
+def draw_wall_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a wall, with squares.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(0.9 * radius * canvas.unit, 2.0), canvas.theme
+    rim = reach + max(1.0, canvas.unit)
+    for centre in view.to_pixels(places):
+        hollow_square(canvas, centre, rim, theme.ground, theme.ground)
+        hollow_square(canvas, centre, reach, theme.contact, theme.ground)
 
 
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
