@@ -86,6 +86,16 @@ def ground(
         canvas.fill(Box(panel.left, top, panel.right, top + canvas.hair), canvas.theme.grid)
 
 
+def axis_with_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) -> None:
+    """Draw a horizontal axis at a height (px) with a tick mark at each value, and the values."""
+    reach, hair, faint = 4 * canvas.unit, canvas.hair, canvas.theme.faint
+    canvas.fill(Box(axis.start, top, axis.end, top + hair), faint)
+    for value in values:
+        x = min(round(axis.at(value)), round(axis.end) - hair)
+        canvas.fill(Box(x, top, x + hair, top + max(reach, 2.0)), faint)
+    draw_ticks(canvas, axis, top + reach + 2 * canvas.unit, values)
+
+
 def draw_ticks(canvas: Canvas, axis: Axis, top: float, values: Sequence[float]) -> None:
     """Write the values under a horizontal axis, leaving out those that would touch.
 

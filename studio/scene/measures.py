@@ -12,6 +12,9 @@ from scenes import FEATURES, Rollouts
 from scenes.features import distances_to_goal, gaps
 from studio.arrays import BoolArray, FloatArray, IntArray
 
+PERSON, WALL, NOTHING = 0, 1, 2
+"""What the robot touched in a rollout, the worst first."""
+
 
 @dataclass(frozen=True)
 class Measure:
@@ -67,8 +70,28 @@ def touched_by(contact_step: IntArray, step: float | IntArray) -> BoolArray:
     return touched
 
 
+def contact_kinds(rollouts: Rollouts, step: float = np.inf) -> IntArray:
+    """What the robot has touched by a step, [A, K]: one of `PERSON`, `WALL` and `NOTHING`.
+
+    Who has touched both a person and a wall counts as having touched a person.
+    """
+    people = touched_by(rollouts.person_step, step)
+    walls = touched_by(rollouts.wall_step, step)
+    kinds: IntArray = np.where(people, PERSON, np.where(walls, WALL, NOTHING))
+    return kinds
+
+
+def poses_at(rollouts: Rollouts, index: int, steps: IntArray) -> FloatArray:
+    """Poses of the robot under an action at a step of each rollout [K], [N, 3], m and rad.
+
+    Rollouts whose step is -1 and those whose paths are not kept are left out.
+    """
+    own = steps[: rollouts.paths]
+    [there] = np.nonzero(own >= 0)
+    poses: FloatArray = rollouts.robot[index, there, own[there]]
+    return poses
+
+
 def first_contacts(rollouts: Rollouts, index: int) -> FloatArray:
     """Poses at which the robots under one action first touch something, [N, 3], m and rad."""
-    [touching] = np.nonzero(rollouts.touched[index])
-    poses: FloatArray = rollouts.robot[index, touching, rollouts.contact_step[index, touching]]
-    return poses
+    return poses_at(rollouts, index, rollouts.contact_step[index])

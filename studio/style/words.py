@@ -80,6 +80,12 @@ def alternatives(names: Sequence[str]) -> str:
     return f"{', '.join(others)} or {last}" if others else last
 
 
+def listed(names: Sequence[str]) -> str:
+    """Names that all hold: "EU", "EU and T&K", "a, b and c"."""
+    *others, last = names
+    return f"{', '.join(others)} and {last}" if others else last
+
+
 def counted(count: int, thing: str) -> str:
     """A count with the thing that is counted: "1 pair", "2 pairs"."""
     return f"{count:,} {thing}" if count == 1 else f"{count:,} {thing}s"

@@ -1,6 +1,7 @@
 """The scene in motion, as a film shows it: ghosts, trails, and one rollout in full."""
 
 import math
+from dataclasses import dataclass
 from typing import cast
 
 import cv2
@@ -11,11 +12,20 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, PixelArray
 from studio.painter.canvas import Canvas
+from studio.painter.labels import Label, draw_labels
+from studio.painter.lettering import SEMIBOLD
 from studio.painter.paths import FaintPaths
 from studio.painter.pixels import disc_coverage, tinted
 from studio.painter.views import View
-from studio.scene.measures import touched_by
-from studio.scene.picture.scenery import draw_groups, draw_people, draw_robot, overlap_opacity
+from studio.scene.measures import poses_at, touched_by
+from studio.scene.picture.scenery import (
+    draw_contacts,
+    draw_groups,
+    draw_people,
+    draw_robot,
+    draw_wall_contacts,
+    overlap_opacity,
+)
 from studio.style.palette import Colour
 
 _TOLD_IN_FULL = 0  # the rollout that is drawn in full
@@ -38,6 +48,13 @@ class MovingScene:
         self._poses = rollouts.robot[index]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[index]  # (K, T+1, P, 2), m
         self._contact_step = rollouts.contact_step[index]
+        self._contacts = [
+            (steps[steps >= 0], poses_at(rollouts, index, steps), draw)
+            for steps, draw in (
+                (rollouts.wall_step[index], draw_wall_contacts),
+                (rollouts.person_step[index], draw_contacts),
+            )
+        ]
         opacity = overlap_opacity(len(self._poses))
         self._corner = np.array([canvas.box.left, canvas.box.top])
         shape = canvas.pixels.shape[:2]
@@ -63,6 +80,45 @@ class MovingScene:
         draw_people(canvas, view, people[_TOLD_IN_FULL])
         colour = canvas.theme.contact if touched[_TOLD_IN_FULL] else self._colour
         draw_robot(canvas, view, poses[_TOLD_IN_FULL], colour)
+        for steps, places_touched, draw in self._contacts:
+            draw(canvas, view, places_touched[steps <= step], 5.5)
+
+    def draw_first_contact(self, contact: "FirstContact") -> None:
+        """Ring the place of the first contact of all rollouts, and say what was touched."""
+        canvas, theme, size = self._canvas, self._canvas.theme, self._canvas.type.heading
+        x, y = self._view.to_pixels(contact.place).tolist()
+        angles = np.linspace(0.0, math.tau, 49)
+        around = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+        radius = max(ROBOT_RADIUS * self._view.scale, 6 * canvas.unit) + 6 * canvas.unit
+        for colour, width in ((theme.ground, 7), (theme.contact, 3)):
+            canvas.line((x, y) + radius * around, colour, width * canvas.unit)
+        told = f"first contact: a {contact.thing}, {contact.time:.1f} s"
+        label = Label(
+            told, size, SEMIBOLD, theme.contact, (x, y), radius + 4 * canvas.unit, (0, -1)
+        )
+        draw_labels(canvas, [label], self._view.box.inset(4 * canvas.unit), theme.panel)
+
+
+@dataclass(frozen=True)
+class FirstContact:
+    """The first moment of an action at which any robot touches anything."""
+
+    time: float  # s
+    thing: str  # person or wall
+    place: FloatArray  # of the robot, [2], m
+
+    @classmethod
+    def of(cls, rollouts: Rollouts, index: int) -> "FirstContact | None":
+        """The one under an action; None if nothing is touched."""
+        steps = rollouts.contact_step[index]
+        [touching] = np.nonzero(rollouts.touched[index])
+        if not len(touching):
+            return None
+        first = int(touching[steps[touching].argmin()])
+        step = int(steps[first])
+        is_person = rollouts.person_step[index, first] == step
+        place = rollouts.robot[index, first, step, :2]
+        return cls(step * rollouts.dt, "person" if is_person else "wall", place)
 
 
 class Ghosts:

@@ -2,13 +2,14 @@
 
 Each action's rollouts run at once, as many ghost robots among ghost people; one of them, the same
 for every action, is drawn in full. The people and the robot of one rollout meet the same luck
-under every action, so what differs between two actions is never chance.
+under every action, so what differs between two actions is never chance. Actions on which teachers
+disagree come first, then those with most contacts. The first contact of an action stands still for
+a moment.
 """
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
@@ -22,31 +23,28 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.segments import Segment
 from studio.painter.views import View
 from studio.scene.judgements import Judgement
-from studio.scene.picture.crowd import MovingScene
+from studio.scene.picture.crowd import FirstContact, MovingScene
 from studio.scene.picture.page import compose_picture
 from studio.scene.picture.scenery import (
     draw_goal,
     draw_ground,
+    draw_people_beyond,
     draw_scale_bar,
     draw_walls,
     goal_label,
     view_of,
 )
-from studio.scene.picture.so_far import OutcomesSoFar
-from studio.scene.picture.titles import (
-    contacts_counted,
-    draw_heading_in_line,
-    joined,
-    subtitles,
-    titles,
-)
+from studio.scene.picture.so_far import Course, OutcomesSoFar, courses
+from studio.scene.picture.titles import draw_heading_in_line, joined, subtitles, titles
+from studio.scene.selection import only
 from studio.style.palette import LIGHT, Colour, Theme
 from studio.style.words import action_label
 
 # lengths of time in the film, s
 _LONGEST_ACTION = 2.0  # playing one action takes no longer
 _PAUSE = 0.5  # the end of an action stands still
-_CLOSING_PICTURE = 2.5
+_FIRST_CONTACT = 0.7  # the first contact of an action stands still
+_CLOSING_PICTURE = 6.0
 
 _SPEEDS = (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25)  # times real time
 
@@ -68,20 +66,29 @@ def compose_film(
     Raises:
         InputError: if the size is not allowed, or there is no such span of time.
     """
-    page = lay_out_film(rollouts, size, theme)
+    order = telling_order(rollouts, judgements)
+    theme = theme.of(rollouts.names)
+    shown = only(rollouts, [rollouts.names[index] for index in order]).with_paths()
+    page = lay_out_film(shown, size, theme, of=rollouts.count)
     start, end = span or (0.0, rollouts.horizon)
     if not 0.0 <= start < end <= rollouts.horizon:
         raise InputError(
             f"--from, --to: {start:g} to {end:g} s is not allowed: "
             f"within 0 to {rollouts.horizon:g} s"
         )
-    times = frame_times(start, end, play_speed(rollouts.horizon), frames_per_second)
+    speed = play_speed(rollouts.horizon)
 
-    def frames(index: int) -> Iterator[PixelArray]:
-        return (canvas.pixels for canvas in play_action(page, rollouts, index, times))
+    def segment(index: int) -> Segment:
+        contact = FirstContact.of(shown, index)
+        halt = contact.time if contact else None
+        times = frame_times(start, end, speed, frames_per_second, halt)
 
-    actions = range(len(rollouts.actions))
-    segments = [Segment(len(times), partial(frames, index)) for index in actions]
+        def frames() -> Iterator[PixelArray]:
+            return (canvas.pixels for canvas in play_action(page, shown, index, times))
+
+        return Segment(len(times), frames)
+
+    segments = [segment(index) for index in range(len(shown.actions))]
     if end < rollouts.horizon:
         return segments
     held = round(_CLOSING_PICTURE * frames_per_second)
@@ -93,6 +100,25 @@ def compose_film(
     return [*segments, Segment(held, ending)]
 
 
+def telling_order(rollouts: Rollouts, judgements: Sequence[Judgement]) -> list[int]:
+    """Indices of the actions, those that tell most about the scene first.
+
+    First come actions that some teachers may pick and others would not, then those that teachers
+    rank differently, then those with most contacts.
+    """
+    count = len(rollouts.actions)
+    picking = np.array([np.isin(np.arange(count), each.candidates) for each in judgements])
+    ranks = np.array([each.ranks for each in judgements])
+    if not len(judgements):
+        picking, ranks = np.zeros((1, count), dtype=bool), np.zeros((1, count), dtype=int)
+    disputed = picking.any(axis=0) & ~picking.all(axis=0)
+    apart = ranks.max(axis=0) - ranks.min(axis=0)
+    contacts = rollouts.touched.sum(axis=1)
+    # the last key counts most; of equals, the earlier comes first
+    order: list[int] = np.lexsort((-contacts, -apart, ~disputed)).tolist()
+    return order
+
+
 def play_speed(horizon: float) -> float:
     """How many times faster than real time the film runs."""
     return next(
@@ -101,13 +127,19 @@ def play_speed(horizon: float) -> float:
     )
 
 
-def frame_times(start: float, end: float, speed: float, frames_per_second: int) -> FloatArray:
+def frame_times(
+    start: float, end: float, speed: float, frames_per_second: int, halt: float | None = None
+) -> FloatArray:
     """The simulated time of each frame of an action, s; the frames of the pause are at its end.
 
-    The action plays from start to end (s), at this many times the speed of real time.
+    The action plays from start to end (s), at this many times the speed of real time. At one moment
+    between them, if any (`halt`, s), it stands still.
     """
     steps = max(1, round((end - start) / speed * frames_per_second))
     playing = np.linspace(start, end, steps + 1)
+    if halt is not None and start <= halt < end:
+        held = np.full(round(_FIRST_CONTACT * frames_per_second), halt)
+        playing = np.insert(playing, np.searchsorted(playing, halt), held)
     return np.concatenate([playing, np.full(round(_PAUSE * frames_per_second), end)])
 
 
@@ -123,13 +155,21 @@ class FilmPage:
     side: Box  # the column beside the scene
     clock: Box  # the line below the scene
     strip: tuple[Box, ...]  # one cell an action, at the foot of the page
+    courses: tuple[Course, ...]  # what develops beside the scene
+    sample_of: int  # how many rollouts there are of each action, of which the film may show fewer
 
 
-def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT) -> FilmPage:
-    """Draw what all frames share; raises what `compose_film` raises."""
+def lay_out_film(
+    rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT, of: int = 0
+) -> FilmPage:
+    """Draw what all frames share; raises what `compose_film` raises.
+
+    The rollouts may be a sample `of` more.
+    """
     canvas = Canvas(*size, theme.of(rollouts.names))
     kind, unit, page = canvas.type, canvas.unit, canvas.page
-    title = draw_heading_in_line(canvas, titles(rollouts), subtitles(rollouts), kind.heading, 0.0)
+    # as high as the title that is written once the view is known
+    title = canvas.text_box((page.left, page.top), "", kind.heading, line="top")
     strip_height, clock_height = 2.9 * kind.body, 1.8 * kind.body
     top = title.bottom + 14 * unit
     strip = Box(page.left, page.bottom - strip_height, page.right, page.bottom)
@@ -137,16 +177,23 @@ def lay_out_film(rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT
     scene, side = body.columns((1076, 416), canvas.gap)
     panel = Box(scene.left, scene.top, scene.right, scene.bottom - clock_height)
     view = view_of(rollouts, panel)
+    told = subtitles(rollouts, view.bounds)
+    draw_heading_in_line(canvas, titles(rollouts), told, kind.heading, 0.0)
     inside = canvas.clipped(panel)
     draw_ground(inside, view)
     draw_walls(inside, view, rollouts.scene)
     goal = draw_goal(inside, view, rollouts.scene.robot.goal)
-    label = goal_label(canvas, goal, (1.0, 0.0))
-    draw_labels(inside, [label], panel.inset(4 * unit), canvas.theme.panel)
+    labels = [
+        goal_label(canvas, goal, (1.0, 0.0)),
+        *draw_people_beyond(inside, view, rollouts.scene),
+    ]
+    draw_labels(inside, labels, panel.inset(4 * unit), canvas.theme.panel)
     clock = Box(scene.left, panel.bottom, scene.right, scene.bottom)
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
-    return FilmPage(canvas, view, side, clock, strip.columns([1.0] * count, 12 * unit))
+    cells = strip.columns([1.0] * count, 12 * unit)
+    sample_of = max(of, rollouts.count)
+    return FilmPage(canvas, view, side, clock, cells, courses(rollouts), sample_of)
 
 
 # One action
@@ -162,8 +209,9 @@ def play_action(
     """
     canvas = page.canvas.copy()
     strip = _Strip(canvas, page.strip, rollouts, index)
-    so_far = OutcomesSoFar(canvas, page.side, rollouts, index)
+    so_far = OutcomesSoFar(canvas, page.side, rollouts, index, page.courses)
     scene = MovingScene(canvas.clipped(page.view.box), page.view, rollouts, index)
+    contact = FirstContact.of(rollouts, index)
     still = canvas.copy()
     shown = -1.0
     for time in times:
@@ -173,21 +221,30 @@ def play_action(
             step = round(shown / rollouts.dt, 6)
             canvas.texts[:] = still.texts
             scene.draw(step)
+            if contact and shown == contact.time:
+                scene.draw_first_contact(contact)
             so_far.draw(still, step)
             strip.draw(shown / rollouts.horizon)
-            _draw_clock(canvas, still, page.clock, rollouts, shown)
+            _draw_clock(canvas, still, page, rollouts, shown)
         yield canvas
 
 
-def _draw_clock(canvas: Canvas, still: Canvas, box: Box, rollouts: Rollouts, time: float) -> None:
+def _draw_clock(
+    canvas: Canvas, still: Canvas, page: FilmPage, rollouts: Rollouts, time: float
+) -> None:
     """Write the time, and what it has to do with real time, below the scene."""
+    box = page.clock
     canvas.restore(still, box)
     size, count, faint = canvas.type.small, rollouts.count, canvas.theme.faint
     at, told_time = (box.left, box.centre[1]), f"{time:.1f} s of {rollouts.horizon:g} s"
     clock = canvas.text(at, told_time, canvas.type.body, canvas.theme.ink, SEMIBOLD)
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
-    red = "red: contact" if rollouts.touched.any() else ""
+    if count < page.sample_of:
+        told = f"a sample, {count} of {page.sample_of:,} rollouts, one of them in full"
+    people = (rollouts.person_step >= 0).any()
+    touched = ["× a person"] * bool(people) + ["□ a wall"] * bool(rollouts.wall_touched.any())
+    red = f"touched: {', '.join(touched)}" if touched else ""
     left = max(box.left + 9.5 * canvas.type.body, clock.right + size)
     room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
     canvas.fit(at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
@@ -211,11 +268,24 @@ class _Strip:
             at = (cell.left, cell.top + 1.2 * kind.body)
             canvas.fit(at, name, cell.width, kind.body, ink, SEMIBOLD)
             if action < index:
-                touched = int(rollouts.touched[action].sum())
-                told = [*contacts_counted(touched, rollouts.count), f"{touched}"]
-                at = (cell.left, cell.top + 2.4 * kind.body)
-                ink = theme.contact if touched else theme.faint
-                canvas.fit(at, told, cell.width, kind.small, ink)
+                self._draw_contacts(cell, rollouts, action)
+
+    def _draw_contacts(self, cell: Box, rollouts: Rollouts, action: int) -> None:
+        """Write how often an action that was played led to contact."""
+        kind, theme, count = self._canvas.type, self._canvas.theme, rollouts.count
+        people = int((rollouts.person_step[action] >= 0).sum())
+        walls = int(rollouts.wall_touched[action].sum())
+        if walls:
+            told = [
+                f"× {people} · □ {walls} of {count}",
+                f"× {people} □ {walls}",
+                f"{people}+{walls}",
+            ]
+        else:
+            told = [f"× {people} of {count}", f"× {people}", f"{people}"]
+        at, ink = (cell.left, cell.top + 2.4 * kind.body), theme.faint
+        ink = theme.contact if people or walls else theme.faint
+        self._canvas.fit(at, told, cell.width, kind.small, ink)
 
     def draw(self, share: float) -> None:
         """Fill the bar of the action that is played up to this share."""

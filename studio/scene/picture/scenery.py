@@ -11,8 +11,9 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
 from studio.painter.lettering import REGULAR
+from studio.painter.marks import cross, hollow_square
 from studio.painter.views import View
-from studio.scene.framing import bounds_of_shape
+from studio.scene.framing import beyond_edges, bounds_of_shape
 from studio.scene.groups import shortest_links
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_numbers, round_step
@@ -80,11 +81,26 @@ def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> 
     canvas.polygon(centre + 0.66 * radius * corners, canvas.theme.ground)
 
 
-def draw_contacts(canvas: Canvas, view: View, places: FloatArray) -> None:
-    """Mark places [N, 2] (m) at which the robot first touched something."""
+def draw_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a person, with crosses.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(radius * canvas.unit, 2.0), canvas.theme
     for centre in view.to_pixels(places):
-        canvas.disc(centre, 3.6 * canvas.unit, canvas.theme.ground)
-        canvas.disc(centre, 2.8 * canvas.unit, canvas.theme.contact)
+        cross(canvas, centre, reach, theme.contact, theme.ground)
+
+
+def draw_wall_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:
+    """Mark places [N, 2] (m) at which the robot first touched a wall, with squares.
+
+    The radius is in units of the page.
+    """
+    reach, theme = max(0.9 * radius * canvas.unit, 2.0), canvas.theme
+    rim = reach + max(1.0, canvas.unit)
+    for centre in view.to_pixels(places):
+        hollow_square(canvas, centre, rim, theme.ground, theme.ground)
+        hollow_square(canvas, centre, reach, theme.contact, theme.ground)
 
 
 def draw_goal(canvas: Canvas, view: View, goal: Point) -> Point:
@@ -111,6 +127,31 @@ def goal_label(canvas: Canvas, goal: Point, direction: Point) -> Label:
     """The label of the goal that was drawn at a point (px)."""
     size, ink, reach = canvas.type.small, canvas.theme.ink, 13 * canvas.unit
     return Label("goal", size, REGULAR, ink, goal, reach, direction)
+
+
+def draw_people_beyond(canvas: Canvas, view: View, scene: Scene) -> list[Label]:
+    """Draw an arrow at each edge of a view beyond which people start.
+
+    Returns the labels of the arrows, which say how many people start there.
+    """
+    unit, small, labels = canvas.unit, canvas.type.small, list[Label]()
+    for beyond in beyond_edges(scene.starts, view.bounds):
+        (right, up), away = beyond.direction, 9 * unit
+        x, y = view.to_pixels(beyond.place).tolist()
+        frame = view.box.inset(away)
+        # the tip touches the edge, and neither corner is cut off
+        x = min(max(x, frame.left), frame.right) + away * right
+        y = min(max(y, frame.top), frame.bottom) - away * up
+        tip, back = np.array([x, y]), np.array([-right, up])
+        across = np.array([up, right])
+        corners = [tip, *(tip + 10 * unit * back + side * 7 * unit * across for side in (-1, 1))]
+        canvas.polygon(corners, canvas.theme.pedestrian)
+        middle, ink = tip + 5 * unit * back, canvas.theme.ink
+        people = "person" if beyond.count == 1 else "people"
+        text, direction = f"{beyond.count} more {people}", (-right, up)
+        place = (float(middle[0]), float(middle[1]))
+        labels.append(Label(text, small, REGULAR, ink, place, 8 * unit, direction))
+    return labels
 
 
 def draw_scale_bar(canvas: Canvas, view: View, right: float, baseline: float) -> float:

@@ -1,32 +1,79 @@
 """The column beside the scene in motion: what an action has led to so far."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
 from scenes import Rollouts
-from studio.arrays import BoolArray, FloatArray
-from studio.painter.axes import Axis, draw_ticks
+from studio.arrays import FloatArray, IntArray
+from studio.painter.axes import Axis, axis_with_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.marks import draw_histogram, draw_icons
-from studio.scene.measures import gap_over_time, progress_over_time, touched_by
+from studio.painter.marks import Histogram, draw_histogram, draw_icons
+from studio.scene.certainty import wilson
+from studio.scene.measures import (
+    NOTHING,
+    PERSON,
+    WALL,
+    gap_over_time,
+    progress_over_time,
+    touched_by,
+)
 from studio.scene.picture.crowd import between
-from studio.scene.picture.titles import contacts_counted
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_range, ticks
-from studio.style.words import action_label, number
+from studio.style.words import action_label, number, share_told
 
 _BINS = 24  # of a histogram
 _WIDEST_GAP = 2.0  # m; wider gaps count as this
 
 
+@dataclass(frozen=True)
+class Course:
+    """How a measure develops in every rollout, and the one scale on which all actions show it."""
+
+    titles: tuple[str, ...]  # what is measured, with its unit, the longest wording first
+    values: FloatArray  # [A, K, T+1]
+    edges: FloatArray  # [B + 1], ends of the bins
+    most: int  # how many rollouts the highest bar of a histogram stands for
+
+    @classmethod
+    def of(cls, titles: tuple[str, ...], values: FloatArray, ends: tuple[float, float]) -> "Course":
+        """On a scale of counts that holds the end of every action."""
+        edges = np.linspace(*ends, _BINS + 1)
+        kinds = np.zeros(values.shape[1], np.int64)
+        return cls(
+            titles,
+            values,
+            edges,
+            max(Histogram.of(own[:, -1], edges, kinds).highest for own in values),
+        )
+
+
+def courses(rollouts: Rollouts) -> tuple[Course, Course]:
+    """The two measures that develop beside the scene in motion: smallest gap, and progress."""
+    gap = np.clip(gap_over_time(rollouts), 0.0, _WIDEST_GAP)
+    smallest = np.minimum.accumulate(gap, axis=-1)
+    gained = progress_over_time(rollouts)
+    ends = round_range(float(gained.min()), float(gained.max()))
+    gap_titles = ("Smallest gap to a person so far, m", "Smallest gap so far, m")
+    return (
+        Course.of(gap_titles, smallest, (0.0, _WIDEST_GAP)),
+        Course.of(("Progress so far, m",), gained, ends),
+    )
+
+
 class OutcomesSoFar:
     """The column beside the scene: what the rollouts of one action have led to so far."""
 
-    def __init__(self, canvas: Canvas, box: Box, rollouts: Rollouts, index: int) -> None:
+    def __init__(
+        self, canvas: Canvas, box: Box, rollouts: Rollouts, index: int, shown: Sequence[Course]
+    ) -> None:
         self._canvas = canvas
         self._colour = canvas.theme.action_colour(rollouts.names[index])
-        self._contact_step = rollouts.contact_step[index]
+        self._steps = {"person": rollouts.person_step[index], "wall": rollouts.wall_step[index]}
         self._last = rollouts.steps
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         at, name = (box.left, box.top), action_label(action.name)
@@ -37,65 +84,78 @@ class OutcomesSoFar:
         at, faint = (box.left, title.bottom + 4 * unit), canvas.theme.faint
         below = canvas.fit(at, command, box.width, kind.body, faint, line="top")
         rest = Box(box.left, below.bottom + 18 * unit, box.right, box.bottom)
-        contact, gap, progress = rest.rows((1.25, 1, 1), 16 * unit)
-        self._count = Box(contact.left, contact.top, contact.right, contact.top + 1.6 * kind.title)
-        icons_top = self._count.bottom + 0.2 * kind.title
-        self._icons = Box(contact.left, icons_top, contact.right, contact.bottom)
-        smallest = np.clip(gap_over_time(rollouts)[index], 0.0, _WIDEST_GAP)
-        smallest = np.minimum.accumulate(smallest, axis=-1)
-        gained = progress_over_time(rollouts)
-        # the same axis for all actions
-        ends = round_range(float(gained.min()), float(gained.max()))
-        gap_titles = ["Smallest gap to a person so far, m", "Smallest gap so far, m"]
-        self._plots = (
-            _MovingHistogram(canvas, gap, gap_titles, smallest, (0.0, _WIDEST_GAP)),
-            _MovingHistogram(canvas, progress, ["Progress so far, m"], gained[index], ends),
+        contact, *plots = rest.rows((1.25, *[1.0] * len(shown)), 16 * unit)
+        height = 1.25 * kind.title + 1.3 * kind.body
+        counts = Box(contact.left, contact.top, contact.right, contact.top + height)
+        self._counts = counts
+        self._icons = Box(
+            contact.left, counts.bottom + 0.4 * kind.body, contact.right, contact.bottom
         )
-        self._touched = -1
+        things = list(self._steps) if rollouts.wall_touched.any() else ["person"]
+        self._cells = dict(zip(things, counts.columns([1.0] * len(things), 12 * unit), strict=True))
+        self._plots = [
+            _MovingHistogram(canvas, plot, course, index)
+            for plot, course in zip(plots, shown, strict=True)
+        ]
+        self._drawn = (-1, -1)
 
     def draw(self, still: Canvas, step: float) -> None:
         """Draw what has happened up to a step."""
-        canvas, theme, box = self._canvas, self._canvas.theme, self._count
-        size, count = canvas.type.title, len(self._contact_step)
-        contact = touched_by(self._contact_step, step)
-        touched, so_far = int(contact.sum()), " so far" if step < self._last else ""
-        canvas.restore(still, box.inset(-0.15 * size))
-        at, told = (box.left, box.top), contacts_counted(touched, count, so_far)
-        ink = theme.contact if touched else theme.faint
-        canvas.fit(at, told, box.width, size, ink, SEMIBOLD, line="top")
-        if touched != self._touched:
-            canvas.restore(still, self._icons)
-            faint = blend(self._colour, theme.ground, 0.45)
-            draw_icons(canvas, self._icons, touched, count, faint)
-            self._touched = touched
+        canvas, count = self._canvas, len(self._steps["person"])
+        people, walls = (touched_by(steps, step) for steps in self._steps.values())
+        touched = {"person": int(people.sum()), "wall": int(walls.sum())}
+        canvas.restore(still, self._counts.inset(-0.15 * canvas.type.title))
+        for thing, cell in self._cells.items():
+            self._draw_count(cell, thing, touched[thing], count, step >= self._last)
+        drawn = touched["person"], int((walls & ~people).sum())
+        if drawn != self._drawn:
+            canvas.restore(still, self._icons.inset(-2 * canvas.unit))
+            faint = blend(self._colour, canvas.theme.ground, 0.45)
+            draw_icons(canvas, self._icons, *drawn, count, faint)
+            self._drawn = drawn
+        kinds = np.where(people, PERSON, np.where(walls, WALL, NOTHING))
         for plot in self._plots:
-            plot.draw(canvas, still, step, self._colour, contact)
+            plot.draw(canvas, still, step, self._colour, kinds)
+
+    def _draw_count(self, cell: Box, thing: str, touched: int, count: int, ended: bool) -> None:
+        """Write in how many rollouts a thing was touched; in the end, how sure the share is."""
+        canvas, theme, kind = self._canvas, self._canvas.theme, self._canvas.type
+        ink = theme.contact if touched else theme.faint
+        counts, at = [f"{touched} of {count}", f"{touched}"], (cell.left, cell.top)
+        placed = canvas.fit(at, counts, cell.width, kind.title, ink, SEMIBOLD, line="top")
+        told = [f"touch a {thing} so far", f"a {thing} so far", f"a {thing}"]
+        if ended:
+            share = wilson(touched, count)
+            sure = share_told(share.value, share.low, share.high)
+            told = [f"a {thing}: {sure}", sure]
+        at = (cell.left, placed.bottom)
+        canvas.fit(at, told, cell.width, kind.body, theme.ink, line="top")
 
 
 class _MovingHistogram:
-    """How values [K, T+1] are distributed at one step after the other, on an axis that stays."""
+    """How a measure is distributed at one step after the other, on scales that stay."""
 
-    def __init__(
-        self,
-        canvas: Canvas,
-        box: Box,
-        titles: list[str],
-        values: FloatArray,
-        ends: tuple[float, float],
-    ) -> None:
+    def __init__(self, canvas: Canvas, box: Box, course: Course, index: int) -> None:
         kind, unit, at = canvas.type, canvas.unit, (box.left, box.top)
-        canvas.fit(at, titles, box.width, kind.body, canvas.theme.ink, SEMIBOLD, line="top")
-        floor = box.bottom - 1.8 * kind.small
-        self._axis = Axis(*ends, box.left, box.right)
+        scale = f"{course.most}"
+        room = box.width - canvas.measure(f"↕ {scale}", kind.small) - 8 * unit
+        canvas.fit(at, course.titles, room, kind.body, canvas.theme.ink, SEMIBOLD, line="top")
+        floor = box.bottom - 2.1 * kind.small
+        self._axis = Axis(float(course.edges[0]), float(course.edges[-1]), box.left, box.right)
         self._plot = Box(box.left, box.top + 1.4 * kind.body, box.right, floor)
-        self._values, self._edges = values, np.linspace(*ends, _BINS + 1)
-        canvas.fill(Box(box.left, floor, box.right, floor + canvas.hair), canvas.theme.grid)
-        draw_ticks(canvas, self._axis, floor + 8 * unit, ticks(*ends, 4))
+        self._values, self._edges, self._most = course.values[index], course.edges, course.most
+        marks = ticks(self._axis.low, self._axis.high, 4)
+        axis_with_ticks(canvas, self._axis, floor, marks)
+        # how many rollouts a bar as high as the plot stands for
+        top, faint = self._plot.top, canvas.theme.faint
+        canvas.fill(Box(box.right - 8 * unit, top, box.right, top + canvas.hair), faint)
+        at = (box.right, box.top)
+        canvas.text(at, scale, kind.small, faint, anchor="right", line="top")
 
     def draw(
-        self, canvas: Canvas, still: Canvas, step: float, colour: Colour, contact: BoolArray
+        self, canvas: Canvas, still: Canvas, step: float, colour: Colour, kinds: IntArray
     ) -> None:
-        """Draw the distribution at a step; contact [K] are the rollouts in contact by then."""
+        """Draw the distribution at a step; kinds [K] are what rollouts have touched by then."""
         canvas.restore(still, self._plot.inset(-5 * canvas.unit))
-        values = between(self._values, step)
-        draw_histogram(canvas, self._plot, self._axis, values, self._edges, colour, contact)
+        histogram = Histogram.of(between(self._values, step), self._edges, kinds)
+        draw_histogram(canvas, self._plot, self._axis, histogram, self._most, colour)

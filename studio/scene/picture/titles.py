@@ -3,37 +3,69 @@
 from collections.abc import Sequence
 
 from scenes import Rollouts
+from studio.arrays import Bounds
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
-from studio.style.words import counted
+from studio.scene.framing import in_view
+from studio.scene.judgements import Judgement
+from studio.style.words import alternatives, counted, listed, short_label
 
 
 def titles(rollouts: Rollouts) -> list[str]:
     """What the scene is called, the longest wording first."""
     scene = rollouts.scene
+    if scene.family == "tracks":
+        place = scene.name.removesuffix(f"-{scene.number}").replace("_", " ")
+        return [f"{place} · a real crowd at frame {scene.number}", scene.name]
     silent = (scene.name, "custom")  # words that would repeat the name, or say nothing
     words = [word for word in (scene.family, scene.pattern) if word not in silent]
     kind = [word.replace("_", " ") for word in words]
     return [" · ".join([scene.name, *kind]), scene.name]
 
 
-def subtitles(rollouts: Rollouts) -> list[str]:
-    """What was simulated in one line, the longest wording first."""
-    scene = rollouts.scene
+def subtitles(rollouts: Rollouts, bounds: Bounds) -> list[str]:
+    """What was simulated in one line, the longest wording first, of which bounds are shown."""
+    scene, actions = rollouts.scene, counted(len(rollouts.actions), "action")
     crowd = counted(len(scene.pedestrians), "pedestrian")
     if scene.groups:
         in_groups = sum(map(len, scene.groups))
         joint = ", " if in_groups < len(scene.pedestrians) else " in "
         crowd += joint + counted(len(scene.groups), "group")
-    horizon = f"horizon {rollouts.horizon:g} s"
-    sizes = f"{counted(len(rollouts.actions), 'action')} × {counted(rollouts.count, 'rollout')}"
-    seed = f"seed {rollouts.seed}" + (f", number {scene.number}" if scene.number else "")
-    return [
-        f"{sizes} · {crowd} · {horizon} · social force model: {rollouts.model} · {seed}",
-        f"{sizes} · {crowd} · {horizon} · {rollouts.model} · {seed}",
-        f"{sizes} · {horizon} · {rollouts.model} · {seed}",
-    ]
+    outside = int((~in_view(scene.starts, bounds)).sum())
+    if outside:
+        crowd += f" ({len(scene.pedestrians) - outside} in view, {outside} not)"
+    horizon, model = f"horizon {rollouts.horizon:g} s", rollouts.model
+    sizes = f"{actions} × {counted(rollouts.count, 'rollout')}"
+    seed = f"seed {rollouts.seed}"
+    if scene.number:
+        seed += f", {'frame' if scene.family == 'tracks' else 'number'} {scene.number}"
+    return joined(
+        (sizes, crowd, horizon, f"social force model: {model}", seed),
+        (sizes, crowd, horizon, model, seed),
+        (sizes, crowd, seed),
+        (sizes, seed),
+    )
+
+
+def findings(judgements: Sequence[Judgement], names: Sequence[str]) -> list[str]:
+    """What every teacher picks among actions of these names, the longest wording first."""
+    alike: dict[tuple[int, ...], list[Judgement]] = {}
+    for judgement in judgements:
+        alike.setdefault(tuple(sorted(judgement.candidates)), []).append(judgement)
+    told = []
+    for candidates, those in alike.items():
+        who = listed([judgement.label for judgement in those])
+        if len(candidates) == 1:
+            verb = "picks" if len(those) == 1 else "pick"
+            told.append(f"{who} {verb} {short_label(names[candidates[0]])}")
+        elif len(candidates) < 4:
+            likely = [short_label(names[index]) for index in those[0].candidates]
+            told.append(f"{who}: {alternatives(likely)}, it is open which")
+        else:
+            told.append(f"{who}: open between {len(candidates)} of {len(names)} actions")
+    brief = [part.replace(", it is open which", " (open)") for part in told]
+    return [" · ".join(told), " · ".join(brief)]
 
 
 def draw_heading(
@@ -73,8 +105,3 @@ def draw_heading_in_line(
 def joined(*wordings: Sequence[str]) -> list[str]:
     """Wordings of one line, each made of parts, of which empty ones are left out."""
     return [" · ".join(part for part in parts if part) for parts in wordings]
-
-
-def contacts_counted(touched: int, count: int, so_far: str = "") -> list[str]:
-    """In how many of `count` rollouts there was contact, the longest wording first."""
-    return [f"{touched} of {count} contact{so_far}", f"{touched} of {count}{so_far}"]

@@ -18,10 +18,12 @@ from studio.scene.picture.film import (
     lay_out_film,
     play_action,
     play_speed,
+    telling_order,
 )
 from studio.scene.picture.page import compose_picture
+from studio.scene.picture.so_far import courses
 from studio.style.palette import LIGHT
-from tests.canvases import check_texts, red_pixels
+from tests.canvases import check_texts, red_pixels, texts
 from tests.films import frames_of
 
 SIZE = (640, 360)
@@ -58,6 +60,10 @@ def drawn(rollouts, judgements, size=SIZE):
     return [[frame.copy() for frame in segment.frames()] for segment in segments]
 
 
+def _part(frame, box):
+    return frame[round(box.top) : round(box.bottom), round(box.left) : round(box.right)]
+
+
 def atoms(path):
     """Types of the top-level boxes of an MP4 file, in order."""
     data, at, found = path.read_bytes(), 0, []
@@ -90,7 +96,9 @@ def test_the_film_has_every_frame_of_every_action_and_of_the_ending(default, fil
     frames = frames_of(film)
     played = len(frame_times(0.0, rollouts.horizon, play_speed(rollouts.horizon), 30))
     assert played == 1 + round(rollouts.horizon * 30) + 15
-    assert len(frames) == 2 * played + 75
+    assert not rollouts.touched.any()
+    # the picture that sums everything up is held for six seconds
+    assert len(frames) == 2 * played + 180
 
 
 def test_every_action_begins_with_a_key_frame_to_jump_to(default, film):
@@ -118,18 +126,99 @@ def test_the_same_input_gives_the_same_bytes(default, film, tmp_path):
     assert (tmp_path / "again.mp4").read_bytes() == film.read_bytes()
 
 
+def with_contacts(rollouts, **steps):
+    """The rollouts with everybody touching something at these steps."""
+    never = np.full_like(rollouts.person_step, -1)
+    given = {name: never + 1 + steps.get(name, -1) for name in ("person_step", "wall_step")}
+    return dataclasses.replace(rollouts, **given)
+
+
 def test_robots_turn_red_when_they_touch_something_and_not_before(default):
     rollouts, _ = default
-    touching = dataclasses.replace(rollouts, person_step=np.full((2, 4), 3))
+    touching = with_contacts(rollouts, person_step=3)
     page = lay_out_film(touching, (1280, 720))
     reds = []
     for canvas in play_action(page, touching, 0, np.array([0.0, 0.2, 0.3, 0.4])):
-        so_far = " so far" if len(reds) < 3 else ""  # the last of these is the end
-        said = f"{4 if len(reds) > 1 else 0} of 4 contact{so_far}"
-        assert said in [text.text for text in canvas.texts]
+        said = texts(canvas)
+        assert f"{4 if len(reds) > 1 else 0} of 4" in said
+        # the last of these is the end, which says how sure the share is
+        end = "a person: 100 % [51, 100]" if len(reds) == 3 else "touch a person so far"
+        assert end in said
         reds.append(red_pixels(canvas.pixels))
     assert reds[:2] == [0, 0]
     assert min(reds[2:]) > 500
+
+
+@pytest.mark.parametrize("thing", ["person", "wall"])
+def test_the_first_contact_stands_still_and_is_named(default, thing):
+    rollouts, judgements = default
+    touching = with_contacts(rollouts, **{f"{thing}_step": 2})
+    first, *_ = compose_film(touching, judgements, SIZE, 30)
+    frames = [frame.copy() for frame in first.frames()]
+    still = [np.array_equal(*pair) for pair in itertools.pairwise(frames)]
+    moving = 1 + round(rollouts.horizon * 30)
+    halted, pause = len(frames) - moving - 15, 15
+    assert halted == 21
+    assert sum(still) >= halted - 1 + pause
+    page = lay_out_film(touching, SIZE)
+    (canvas,) = play_action(page, touching, 0, np.array([0.2]))
+    assert f"first contact: a {thing}, 0.2 s" in texts(canvas)
+    (later,) = play_action(page, touching, 0, np.array([0.3]))
+    assert not any("first contact" in text for text in texts(later))
+
+
+def test_people_and_walls_that_are_touched_are_told_apart(default):
+    rollouts, _ = default
+    pictures = []
+    for steps in ({"person_step": 2}, {"wall_step": 2}):
+        touching = with_contacts(rollouts, **steps)
+        (canvas,) = play_action(lay_out_film(touching, SIZE), touching, 0, np.array([0.4]))
+        pictures.append(canvas.pixels.copy())
+    assert not np.array_equal(*pictures)
+
+
+def test_actions_on_which_teachers_disagree_come_first_then_those_with_contacts(default):
+    rollouts, (one, other, _) = default
+    rollouts = with_contacts(some_rollouts(META_ACTIONS[:4]), person_step=-1)
+    rollouts.person_step[2] = 1
+    draws = np.zeros((10, 4))
+    one = dataclasses.replace(
+        one, values=np.array([0.4, 0.3, 0.2, 0.1]), resampled=draws + np.array([4, 3, 2, 1])
+    )
+    same = dataclasses.replace(other, values=one.values, resampled=one.resampled)
+    assert telling_order(rollouts, [one, same]) == [2, 0, 1, 3]
+    differs = dataclasses.replace(
+        other, values=np.array([0.1, 0.3, 0.2, 0.4]), resampled=draws + np.array([1, 3, 2, 4])
+    )
+    assert telling_order(rollouts, [one, differs]) == [0, 3, 2, 1]
+    assert telling_order(rollouts, []) == [2, 0, 1, 3]
+    first, *_ = drawn(rollouts, [one, differs])
+    page = lay_out_film(rollouts, SIZE)
+    (canvas,) = play_action(page, rollouts, 0, np.array([0.0]))
+    side = canvas.clipped(page.side).pixels
+    assert np.array_equal(_part(first[0], page.side), side)
+
+
+def test_a_film_of_a_sample_says_so(default):
+    rollouts, judgements = default
+    few = rollouts.keep_paths(3)
+    page = lay_out_film(few.with_paths(), (1280, 720), of=few.count)
+    (canvas,) = play_action(page, few.with_paths(), 0, np.array([0.2]))
+    assert any("a sample, 3 of 4 rollouts" in text for text in texts(canvas))
+    *_, ending = drawn(few, judgements)
+    assert np.array_equal(ending[0], compose_picture(few, judgements, SIZE).pixels)
+
+
+def test_histograms_of_all_actions_have_one_scale_from_the_start(default):
+    rollouts, _ = default
+    gap, progress = courses(rollouts)
+    ends = [np.histogram(own[:, -1], progress.edges)[0].max() for own in progress.values]
+    assert progress.most == max(ends)
+    assert gap.most >= 1
+    page = lay_out_film(rollouts, SIZE)
+    for index in range(2):
+        shown = play_action(page, rollouts, index, np.array([0.0, 0.4]))
+        assert all(str(progress.most) in texts(canvas) for canvas in shown)
 
 
 @pytest.mark.parametrize("size", [(640, 360), (3840, 2160)])

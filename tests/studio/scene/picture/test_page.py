@@ -7,10 +7,12 @@ import pytest
 
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.errors import InputError
+from studio.scene.certainty import wilson
 from studio.scene.judgements import judge
 from studio.scene.picture.film import lay_out_film, play_action
 from studio.scene.picture.page import compose_picture
 from studio.style.palette import LIGHT, THEMES
+from studio.style.words import number, share_told
 from tests.canvases import check_texts, red_pixels
 
 SIZES = [(640, 360), (1280, 720), (1600, 900), (3840, 2160), (1000, 1400)]
@@ -135,10 +137,12 @@ def test_the_page_says_what_was_simulated_what_happened_and_what_it_is_worth(def
     )
     for index, action in enumerate(rollouts.actions):
         assert texts.count(action.name.replace("_", " ")) >= 2  # at its path and in the table
-        touched = rollouts.touched[index].sum()
-        assert f"{touched} of 6" in texts
+        share = wilson(int((rollouts.person_step[index] >= 0).sum()), 6)
+        assert share_told(share.value, share.low, share.high) in texts
         for judgement in judgements:
-            assert f"{judgement.values[index]:.3f}".replace("-", "−") in texts
+            assert number(judgement.values[index], ".3f") in texts
+            low, high = (number(end[index], ".3f") for end in (judgement.low, judgement.high))
+            assert f"[{low}, {high}]" in texts
     for heading in ("Clearance, m", "Deviation, m", "Progress, m", "Smoothness", "Collisions"):
         assert heading in texts
 
@@ -159,8 +163,8 @@ def test_people_are_spoken_of_where_there_are_some(default):
     def said(case):
         return " ".join(placed.text for placed in compose_picture(*case).texts)
 
-    assert "grey: people" in said(default)
-    assert "grey: people" not in said(the_case("nobody"))
+    assert "Grey: people" in said(default)
+    assert "Grey: people" not in said(the_case("nobody"))
 
 
 def test_values_that_round_to_zero_have_no_sign(default):

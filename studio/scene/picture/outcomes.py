@@ -1,0 +1,169 @@
+"""The picture's table of outcomes: a row an action, with contacts and distributions of features."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from learners import REWARD
+from scenes import FEATURES, Rollouts
+from studio.arrays import FloatArray, IntArray
+from studio.painter.axes import Axis, axis_with_ticks
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.marks import Histogram, cross, draw_histogram, hollow_square
+from studio.scene.certainty import wilson
+from studio.scene.measures import Measure, contact_kinds, measures
+from studio.scene.picture.rows import ActionRows, draw_head, head_height
+from studio.scene.picture.titles import joined
+from studio.style.ticks import round_range, ticks
+from studio.style.words import listed, share_told, signed
+
+_BINS = 24  # of a histogram
+_CONTACT, _FEATURE = 124, 104  # widths of the columns, in proportion
+_LOWEST, _HIGHEST = 19.0, 44.0  # rows, in units of the page
+
+
+def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
+    """Draw the table in a box of a page."""
+    unit, small = canvas.unit, canvas.type.small
+    lowest = max(_LOWEST * unit, 1.2 * canvas.type.body)
+    heights = lowest, max(_HIGHEST * unit, lowest)
+    rows = ActionRows.fit(box, rollouts.names, head_height(canvas), 3.3 * small, heights)
+    touched = {"person": rollouts.person_step >= 0}
+    if rollouts.wall_touched.any():
+        touched["wall"] = rollouts.wall_touched
+    gap = 16 * unit
+    name = Box(box.left, box.top, box.left + rows.name_width(canvas), box.bottom)
+    widths = [*[_CONTACT] * len(touched), *[_FEATURE] * len(FEATURES)]
+    columns = Box(name.right + gap, box.top, box.right, box.bottom).columns(widths, gap)
+    shown, kinds = measures(rollouts), contact_kinds(rollouts)
+    size = _head_size(canvas, [each.title.capitalize() for each in shown], columns[-1].width)
+    rows.draw_lines(canvas)
+    rows.draw_names(canvas, name)
+    draw_head(canvas, name, ["Action"], [""], canvas.theme.ink, size)
+    for column, (thing, who) in zip(columns, touched.items(), strict=False):
+        _draw_contacts(canvas, column, rows, thing, who.sum(axis=1), rollouts.count, size)
+    features = columns[len(touched) :]
+    most = [
+        _draw_measure(canvas, column, rows, measure, worth, kinds, size)
+        for measure, worth, column in zip(shown, REWARD, features, strict=True)
+    ]
+    at = (box.left, rows.floor + 2.0 * small)
+    canvas.fit(at, _notes(rollouts, most), box.width, small, canvas.theme.faint, line="top")
+
+
+def _head_size(canvas: Canvas, titles: Sequence[str], width: float) -> int:
+    """The largest size of type in which all titles of columns of a width (px) fit, px."""
+    kind = canvas.type
+    for size in (kind.heading, kind.body):
+        if all(canvas.measure(title, size, SEMIBOLD) <= width for title in titles):
+            return size
+    return kind.small
+
+
+def _notes(rollouts: Rollouts, most: Sequence[int]) -> list[str]:
+    """What the table's marks mean, and how many rollouts the highest bars have, longest first."""
+    people, walls = (rollouts.person_step >= 0).any(), rollouts.wall_touched.any()
+    red = "red: a person was touched" if people else ""
+    striped = "striped: a wall" if walls else ""
+    never = "" if walls or not rollouts.scene.walls else "no wall was touched"
+    brackets, dot = "brackets: 95 % intervals", "dot: mean"
+    scale = f"as high as a row: {listed([f'{each:,}' for each in most])} rollouts"
+    return joined(
+        (f"Histograms: {scale}", dot, red, striped, brackets, never),
+        (f"Histograms: {scale}", dot, red, striped, never),
+        (f"Histograms: {scale}", dot, red, striped),
+        (scale.capitalize(), dot, red and "red: contact"),
+        (dot.capitalize(), red and "red: contact"),
+    )
+
+
+def _draw_contacts(
+    canvas: Canvas,
+    column: Box,
+    rows: ActionRows,
+    thing: str,
+    touched: IntArray,
+    count: int,
+    size: int,
+) -> None:
+    """Draw in how many rollouts a kind of thing was touched, with the interval of the share.
+
+    Below the count lies the share, on an axis from 0 to 100 %.
+    """
+    unit, theme, small, body = canvas.unit, canvas.theme, canvas.type.small, canvas.type.body
+    below = [f"a {thing}, of {count:,} rollouts", f"a {thing}, of {count:,}", f"a {thing}"]
+    draw_head(canvas, column, ["Touched"], below, theme.ink, size)
+    axis = Axis(0.0, 100.0, column.left, column.right)
+    shares = [wilson(number, count) for number in touched.tolist()]
+    told = [share_told(share.value, share.low, share.high) for share in shares]
+    room = column.width - canvas.measure(f"{int(touched.max()):,}", body, SEMIBOLD) - 6 * unit
+    if any(canvas.measure(text, small) > room for text in told):
+        told = [text.split(" % ")[1] for text in told]
+    cells = zip(rows.cells(column), touched.tolist(), shares, told, strict=False)
+    for cell, number, share, text in cells:
+        lane = cell.bottom - 4.5 * unit
+        middle = (cell.top + lane) / 2 - unit
+        low, high = 100.0 * share.low, 100.0 * share.high
+        ink, weight = (theme.contact, SEMIBOLD) if number else (theme.faint, REGULAR)
+        canvas.fit((cell.left, middle), f"{number:,}", cell.width, body, ink, weight)
+        canvas.fit((cell.right, middle), [text, ""], room, small, theme.faint, anchor="right")
+        pen, line = max(1.0, 2 * unit), theme.contact if number else theme.faint
+        canvas.fill(Box(cell.left, lane, cell.right, lane + canvas.hair), theme.grid)
+        canvas.fill(Box(axis.at(low), lane - pen / 2, axis.at(high), lane + pen / 2), line)
+        if number:
+            _contact_mark(canvas, thing, (axis.at(100.0 * share.value), lane))
+    axis_with_ticks(canvas, axis, rows.floor, [0.0, 50.0, 100.0])
+
+
+def _contact_mark(canvas: Canvas, thing: str, at: tuple[float, float]) -> None:
+    radius, colour = max(3.6 * canvas.unit, 2.0), canvas.theme.contact
+    if thing == "person":
+        cross(canvas, at, radius, colour)
+    else:
+        hollow_square(canvas, at, 0.85 * radius, colour, canvas.theme.ground)
+
+
+def _bins(measure: Measure) -> tuple[FloatArray, list[float]]:
+    """Edges of the bins of a histogram, from end to end of its axis, and the ticks below."""
+    values = measure.values
+    if measure.is_counted:
+        most = max(2, round(float(values.max())))
+        # bars as slim as a third of a bin, around the whole numbers
+        edges = np.arange(-0.5, most + 0.51, 1 / 3)
+        return edges, [mark for mark in ticks(0.0, most, 4) if mark.is_integer()]
+    low, high = float(values.min()), float(values.max())
+    if measure.feature in ("clearance", "deviation"):
+        low, high = 0.0, max(high, 0.1)
+    elif measure.feature == "smoothness":
+        low, high = min(low, 0.9), 1.0
+    low, high = round_range(low, high)
+    return np.linspace(low, high, _BINS + 1), ticks(low, high, 3)
+
+
+def _draw_measure(
+    canvas: Canvas,
+    column: Box,
+    rows: ActionRows,
+    measure: Measure,
+    worth: float,
+    kinds: IntArray,
+    size: int,
+) -> int:
+    """Draw how a feature is distributed under every action; how many rollouts a row stands for."""
+    edges, marks = _bins(measure)
+    histograms = [
+        Histogram.of(values, edges, kind)
+        for values, kind in zip(measure.values, kinds, strict=True)
+    ]
+    most = max(histogram.highest for histogram in histograms)
+    titles = [measure.title.capitalize(), measure.feature.capitalize()]
+    below, ink = [f"reward {signed(worth)}", signed(worth)], canvas.theme.ink
+    draw_head(canvas, column, titles, below, ink, size)
+    axis = Axis(float(edges[0]), float(edges[-1]), column.left, column.right)
+    for index, row, colour in rows.coloured(canvas, column):
+        plot = Box(row.left, row.top + 0.1 * row.height, row.right, row.bottom - 1)
+        draw_histogram(canvas, plot, axis, histograms[index], most, colour)
+    axis_with_ticks(canvas, axis, rows.floor, marks)
+    return most

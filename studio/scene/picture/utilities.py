@@ -1,0 +1,214 @@
+"""The figure that a scene is about: how good the outcomes of every action are, and to whom.
+
+A row an action, on one axis: a dot for each rollout at the utility of its outcome, and below the
+dots a mark for each teacher at the utility that, for sure, would be worth as much to the teacher as
+the action: the certainty equivalent of its value V. At the right stands V itself.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenes import Rollouts
+from studio.painter.axes import Axis, axis_with_ticks
+from studio.painter.boxes import Box
+from studio.painter.canvas import Canvas
+from studio.painter.lettering import REGULAR, SEMIBOLD
+from studio.painter.marks import cross, draw_shape, hollow_square
+from studio.painter.quantile_dots import DotStacks, QuantileDots
+from studio.scene.judgements import Judgement, utilities
+from studio.scene.measures import PERSON, WALL, contact_kinds
+from studio.scene.picture.rows import ActionRows, draw_head, head_height
+from studio.scene.picture.teachers import teacher_shape
+from studio.scene.picture.titles import joined
+from studio.scene.words import bias_told
+from studio.style.palette import Colour
+from studio.style.ticks import round_range, ticks
+from studio.style.words import rounded_number
+
+_DOTS = 0.62  # share of a row's height that dots stand in, the rest is for the teachers' marks
+_SMALLEST_PITCH = 4.4  # from dot to dot, in units of the page
+_LOWEST, _HIGHEST = 26.0, 62.0  # rows, in units of the page
+
+
+def draw_utilities(
+    canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
+) -> None:
+    """Draw the figure in a box of a page; there may be any number of teachers, also none."""
+    small, unit, faint = canvas.type.small, canvas.unit, canvas.theme.faint
+    bias = bias_told(judgements, rollouts.names, rollouts.count) if judgements else ""
+    lowest = max(_LOWEST * unit, 1.25 * canvas.type.body)
+    heights, footer = (lowest, max(_HIGHEST * unit, lowest)), (3.1 + 1.3 * bool(bias)) * small
+    rows = ActionRows.fit(box, rollouts.names, head_height(canvas), footer, heights)
+    gap, width = 14 * unit, _value_width(canvas, rows, judgements)
+    name_width = rows.name_width(canvas)
+    plot_width = box.width - name_width - gap - len(judgements) * (width + gap)
+    names, plot, *values = box.columns((name_width, plot_width, *[width] * len(judgements)), gap)
+    rows.draw_lines(canvas)
+    rows.draw_names(canvas, names)
+    heading, size = Box(box.left, box.top, plot.right, box.bottom), canvas.type.heading
+    draw_head(canvas, heading, _TITLES, _legends(rollouts), canvas.theme.ink, size)
+    _draw_plot(canvas, plot, rows, rollouts, judgements)
+    for judgement, column in zip(judgements, values, strict=True):
+        _draw_values(canvas, column, rows, judgement)
+    at = (box.left, rows.floor + 1.9 * small)
+    placed = canvas.fit(at, _notes(judgements), box.width, small, faint, line="top")
+    at, brief = (box.left, placed.bottom + 0.2 * small), bias.partition(", held")[0]
+    canvas.fit(at, [bias, brief], box.width, small, faint, line="top")
+
+
+def _has_two_lines(canvas: Canvas, rows: ActionRows) -> bool:
+    """Whether a row has room for two lines of text."""
+    return rows.row >= 1.15 * (canvas.type.small + canvas.type.body)
+
+
+def _told(judgement: Judgement, index: int) -> tuple[str, str, str]:
+    """The value V of an action, its interval, and its interval in brief."""
+    numbers = [float(each[index]) for each in (judgement.values, judgement.low, judgement.high)]
+    value, low, high = (rounded_number(each, 3, ".3f") for each in numbers)
+    ends = (rounded_number(each, 2, ".2f").replace("0.", ".", 1) for each in numbers[1:])
+    return value, f"[{low}, {high}]", "[{}, {}]".format(*ends)
+
+
+def _value_width(canvas: Canvas, rows: ActionRows, judgements: Sequence[Judgement]) -> float:
+    """Width of a column that the values V and their intervals fit into, px."""
+    small, heading = canvas.type.small, canvas.type.heading
+    widths = [0.0]
+    for judgement in judgements:
+        widths.append(canvas.measure(judgement.label, heading, SEMIBOLD) + 1.1 * heading)
+        for index in range(rows.shown):
+            value, interval, brief = _told(judgement, index)
+            told = interval if _has_two_lines(canvas, rows) else f"{value} {brief}"
+            widths.append(canvas.measure(told, small))
+    return max(widths) + 14 * canvas.unit
+
+
+_TITLES = [
+    "Utility of what may happen, and its worth to each teacher",
+    "Utility of what may happen",
+]
+
+
+def _legends(rollouts: Rollouts) -> list[str]:
+    """What the dots stand for, the longest wording first."""
+    kinds, count = contact_kinds(rollouts), rollouts.count
+    dots = len(QuantileDots.of(np.zeros(count), np.zeros(count, np.int64)).values)
+    told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count:,} rollouts"
+    person = "×: touches a person" if (kinds == PERSON).any() else ""
+    wall = "□: touches a wall" if (kinds == WALL).any() else ""
+    return joined((told, person, wall), (told, person.replace("touches a ", ""), wall[:7]), (told,))
+
+
+def _notes(judgements: Sequence[Judgement]) -> list[str]:
+    """What the marks and numbers of the teachers are, the longest wording first."""
+    if not judgements:
+        return [""]
+    mark = "Marks below the dots"
+    what = "the sure utility that is worth as much to a teacher as the action"
+    return [
+        f"{mark}: {what} (certainty equivalent of V) · lines and brackets: 95 % intervals",
+        f"{mark}: {what} · brackets: 95 % intervals",
+        f"{mark}: certainty equivalents of V · brackets: 95 % intervals",
+        "Marks: certainty equivalents of V, with 95 % intervals",
+        "Marks: certainty equivalents",
+    ]
+
+
+def _axis(
+    dots: Sequence[QuantileDots], judgements: Sequence[Judgement], plot: Box
+) -> tuple[Axis, list[float]]:
+    """The axis that holds all dots and marks, and its ticks."""
+    ends = [end for each in judgements for end in each.certainty_equivalent_interval]
+    shown = np.concatenate([*(each.values for each in dots), *ends, [0.0]])
+    low, high = round_range(float(shown.min()), float(shown.max()))
+    return Axis(low, high, plot.left, plot.right), ticks(low, high, 6)
+
+
+def _draw_plot(
+    canvas: Canvas, plot: Box, rows: ActionRows, rollouts: Rollouts, judgements: Sequence[Judgement]
+) -> None:
+    """Draw the dots and the teachers' marks of every action."""
+    theme, unit = canvas.theme, canvas.unit
+    kinds, worths = contact_kinds(rollouts), utilities(rollouts)
+    dots = [
+        QuantileDots.of(own, kind)
+        for own, kind in zip(worths[: rows.shown], kinds[: rows.shown], strict=True)
+    ]
+    axis, marks = _axis(dots, judgements, plot)
+    zero = round(axis.at(0.0))
+    canvas.fill(Box(zero, rows.cells(plot)[0].top, zero + canvas.hair, rows.floor), theme.grid)
+    room = _DOTS * rows.row - 3 * unit
+    stacks = DotStacks.fit(dots, axis, room, max(_SMALLEST_PITCH * unit, 2.0))
+    for index, cell, colour in rows.coloured(canvas, plot):
+        floor = cell.top + _DOTS * cell.height
+        canvas.fill(Box(plot.left, floor, plot.right, floor + canvas.hair), theme.grid)
+        _draw_dots(canvas, stacks, dots[index], floor, colour)
+        strip = Box(plot.left, floor + canvas.hair, plot.right, cell.bottom)
+        _draw_certainty_equivalents(canvas, axis, strip, judgements, index)
+    axis_with_ticks(canvas, axis, rows.floor, marks)
+
+
+def _draw_dots(
+    canvas: Canvas, stacks: DotStacks, dots: QuantileDots, floor: float, colour: Colour
+) -> None:
+    radius, theme = 0.44 * stacks.pitch, canvas.theme
+    places = stacks.middles(dots) * (1.0, -1.0) + (0.0, floor)
+    for place, kind in zip(places, dots.kinds.tolist(), strict=True):
+        if kind == PERSON:
+            cross(canvas, place, 1.1 * radius, theme.contact)
+        elif kind == WALL:
+            hollow_square(canvas, place, 0.95 * radius, theme.contact, theme.ground)
+        else:
+            canvas.disc(place, radius, colour)
+
+
+def _draw_certainty_equivalents(
+    canvas: Canvas, axis: Axis, strip: Box, judgements: Sequence[Judgement], index: int
+) -> None:
+    """Draw a mark with its interval for each teacher, one below the other."""
+    lanes = strip.rows([1.0] * len(judgements)) if judgements else ()
+    for judgement, lane in zip(judgements, lanes, strict=True):
+        low, high = judgement.certainty_equivalent_interval
+        middle, colour = lane.centre[1], judgement.colour
+        pen = max(1.0, 2 * canvas.unit)
+        ends = axis.at(float(low[index])), axis.at(float(high[index]))
+        canvas.fill(Box(ends[0], middle - pen / 2, ends[1], middle + pen / 2), colour)
+        at = (axis.at(float(judgement.certainty_equivalents[index])), middle)
+        radius = min(4.2 * canvas.unit, 0.6 * lane.height)
+        draw_shape(
+            canvas, teacher_shape(judgement.teacher), at, radius, colour, canvas.theme.ground
+        )
+
+
+def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judgement) -> None:
+    """Write V of every action with its interval; what the teacher picks is filled or outlined."""
+    unit, theme, colour = canvas.unit, canvas.theme, judgement.colour
+    small, body = canvas.type.small, canvas.type.body
+    pick = "filled: pick" if judgement.is_sure else "outlined: open"
+    inset = 22 * unit
+    mark = (column.left + 8 * unit, column.top + 0.55 * canvas.type.heading)
+    draw_shape(canvas, teacher_shape(judgement.teacher), mark, 6 * unit, colour, theme.ground)
+    head = Box(column.left + inset, column.top, column.right, column.bottom)
+    ink = theme.legible(colour)
+    titles = [f"V {judgement.label}", judgement.label]
+    draw_head(canvas, head, titles, [pick, pick.split()[-1]], ink, canvas.type.heading)
+    for index, cell in enumerate(rows.cells(column)):
+        middle, is_candidate = cell.centre[1], index in judgement.candidates
+        pill = cell.inset(2 * unit)
+        ink, quiet = theme.ink, theme.faint
+        if is_candidate:
+            canvas.rounded(pill, 6 * unit, colour)
+            if judgement.is_sure:
+                ink = quiet = theme.ink_on(colour)
+            else:
+                canvas.rounded(pill.inset(max(1.0, 2 * unit)), 5 * unit, theme.ground)
+        value, interval, brief = _told(judgement, index)
+        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 8 * unit
+        if _has_two_lines(canvas, rows):
+            at = (cell.centre[0], middle - 0.54 * small)
+            canvas.fit(at, value, room, body, ink, weight, anchor="centre")
+            at = (cell.centre[0], middle + 0.54 * body)
+            canvas.fit(at, interval, room, small, quiet, anchor="centre")
+        else:
+            wordings = [f"{value} {interval}", f"{value} {brief}", value]
+            canvas.fit(cell.centre, wordings, room, small, ink, weight, anchor="centre")
