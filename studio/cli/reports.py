@@ -12,7 +12,7 @@ from studio.style.words import action_label, contacts_told, estimate_told
 
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
-    from studio.orchestrator import Compared, Learned, Recorded
+    from studio.made.results import Compared, Learned, Recorded
 
 
 def families_report() -> list[str]:
