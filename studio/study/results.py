@@ -3,7 +3,7 @@
 import itertools
 import json
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
@@ -224,11 +224,7 @@ class StudyResults:
         curve = self.family_curve("regret", family, teacher, learner)
         if curve is None:
             return None
-        sides: dict[str, Any] = {
-            name: self.percents(teacher, family, getattr(curve, name))
-            for name in ("mean", "std", "low", "high")
-        }
-        return replace(curve, **sides)
+        return curve.mapped(lambda regrets: self.percents(teacher, family, regrets))
 
     def percents(self, teacher: Teacher, family: str, regrets: ArrayLike) -> FloatArray:
         """Regrets in % of what a random action costs a teacher in a family, on average."""
@@ -302,9 +298,7 @@ class Stage:
 
     def so_far(self, curve: Curve) -> Curve:
         """The part of a curve that is known; without numbers if there is none yet."""
-        known = curve.pairs <= self.reached
-        names = ("pairs", "runs", "mean", "std", "low", "high")
-        return replace(curve, **{name: getattr(curve, name)[known] for name in names})
+        return curve.where(curve.pairs <= self.reached)
 
     def largest(self, teacher: Teacher, learner: str) -> list[Row]:
         """The fits of one learner to one teacher from the most pairs so far."""
