@@ -146,19 +146,16 @@ def reached(stage: Stage) -> str:
 
 
 def notes(stage: Stage) -> list[str]:
-    """What the lines and marks of the picture mean, in sentences."""
+    """What the lines and marks of the second page mean, in sentences."""
     if not stage.fits:
         return []
     results, most = stage.results, reached(stage)
     seeds = len({row["seed"] for row in stage.fits})
     said = []
     if seeds > 1:
-        said.append(
-            f"Regret (logarithmic axes) and picks: mean over {seeds} seeds, "
-            "band: its 95 % bootstrap interval"
-        )
+        said.append(f"Picks: mean over {seeds} seeds, band: its 95 % bootstrap interval")
         if len(results.learners) > 1:
-            said.append(f"[ ]: 95 % interval of the paired difference at {most}")
+            said.append(f"[ ]: 95 % interval of the paired difference of regrets at {most}")
     if results.shaped:
         shades = ", ".join(map(str, stage.sharpening))
         said.append(

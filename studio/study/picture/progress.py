@@ -135,7 +135,12 @@ def _draw_curves(
             pen_marker(part, (x, y), pen, 3.6 * unit)
     left = max((float(path[-1, 0]) for path in paths), default=end) + margin
     labels = [
-        (float(path[-1, 1]), wordings(curve, curve.mean[-1]), pen.colour)
+        # between two sizes there is no number to name
+        (
+            float(path[-1, 1]),
+            wordings(curve, curve.mean[-1])[int(curve.runs[-1] == 0) :],
+            pen.colour,
+        )
         for curve, path, pen in zip(begun, paths, pens, strict=True)
     ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
