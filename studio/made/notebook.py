@@ -39,12 +39,12 @@ def image_of(pixels: PixelArray, alternative: str) -> str:
     return f'<img src="{source}" alt="{escape(alternative)}" style="max-width: 100%">'
 
 
-def show_inline(path: Path, width: int, height: int) -> None:
+def show_inline(path: Path, width: int | None, height: int) -> None:
     """Show a recording in Rerun's viewer below the cell that calls this.
 
     Args:
         path: of the recording.
-        width: of the viewer, px.
+        width: of the viewer, px; None is as wide as the cell.
         height: of the viewer, px.
 
     Raises:
@@ -56,7 +56,7 @@ def show_inline(path: Path, width: int, height: int) -> None:
     from IPython.display import display
     from rerun_notebook import Viewer
 
-    viewer = Viewer(width=width, height=height)
+    viewer = Viewer(width="auto" if width is None else width, height=height)
     viewer.send_rrd(path.read_bytes())
     display(viewer)
 
