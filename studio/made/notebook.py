@@ -28,7 +28,7 @@ def page_of(recording: Recording, lines: Sequence[str]) -> str:
 
     shown = recording.still(Look(SHOWN_SIZE), Excerpt()).pixels
     told = "".join(f"<div>{escape(line)}</div>" for line in lines)
-    return image_of(shown, ", ".join(lines)) + told
+    return image_of(shown, ", ".join(lines) or type(recording).__name__) + told
 
 
 def image_of(pixels: PixelArray, alternative: str) -> str:
@@ -62,9 +62,10 @@ def show_inline(path: Path, width: int | None, height: int) -> None:
 
 
 def register_pictures() -> None:
-    """Let scenes and rollouts, which know nothing of the studio, be pictures in a notebook.
+    """Let scenes, rollouts and opened recordings be pictures in a notebook.
 
-    Nothing happens outside of IPython.
+    Scenes and rollouts know nothing of the studio, and recordings nothing of notebooks. Nothing
+    happens outside of IPython.
     """
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     if shell is None:
@@ -72,6 +73,7 @@ def register_pictures() -> None:
     html: Any = shell.display_formatter.formatters["text/html"]
     html.for_type_by_name("scenes.scene", "Scene", _scene_page)
     html.for_type_by_name("scenes.rollouts", "Rollouts", _rollouts_page)
+    html.for_type_by_name("studio.recording", "Recording", lambda recording: page_of(recording, []))
 
 
 def _scene_page(scene: Scene) -> str:
