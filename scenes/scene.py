@@ -126,6 +126,12 @@ class Scene:
     pattern: Word = "custom"
     number: Annotated[int, Field(strict=True, ge=0, le=LARGEST_NUMBER)] = 0
 
+    def __repr__(self) -> str:
+        # `scene_to_toml` tells everything
+        kind = f"{self.family}, {self.pattern}, number {self.number}"
+        inside = f"{len(self.pedestrians)} pedestrians, {len(self.walls)} walls"
+        return f"<Scene {self.name}: {kind}, {inside}>"
+
     def __post_init__(self) -> None:
         _check_walls(self)
         _check_groups(self)

@@ -126,7 +126,8 @@ def identity(rollouts: Rollouts) -> str:
         rollouts.engine,
         rollouts.wrap_angles,
         rollouts.dt,
-        rollouts.robot.shape,
+        rollouts.count,
+        rollouts.steps,
     )
     digest = hashlib.sha256(repr(made_of).encode()).hexdigest()
     return f"{rollouts.scene.name}-{digest[:12]}"

@@ -92,3 +92,12 @@ def test_a_scene_of_the_first_edition_is_read(old: Callable[[str], Path]) -> Non
     again = judge(read.rollouts)
     for mine, theirs in zip(read.judgements, again, strict=True):
         np.testing.assert_allclose(mine.values, theirs.values, atol=1e-6)
+
+
+def test_a_scene_of_the_second_edition_is_read(old: Callable[[str], Path]) -> None:
+    read = read_scene(old("scene-edition-2"))
+    assert read.rollouts.robot.shape == (3, 4, 31, 3)
+    assert read.rollouts.without_robot.shape == (4, 31, 3, 2)
+    assert [each.parameters for each in read.judgements] == list(PROFILES.values())
+    for mine, theirs in zip(read.judgements, judge(read.rollouts), strict=True):
+        np.testing.assert_allclose(mine.values, theirs.values, atol=1e-12)
