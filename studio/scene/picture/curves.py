@@ -11,9 +11,8 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.marks import draw_shape
+from studio.painter.pens import pen_line, pen_mark
 from studio.scene.judgements import Judgement
-from studio.scene.picture.teachers import teacher_shape
 from studio.style.ticks import ticks
 from studio.style.words import number
 
@@ -30,7 +29,7 @@ def draw_weighting(canvas: Canvas, box: Box, judgements: Sequence[Judgement]) ->
         own = judgement.parameters
         for curvature, width in ((own.gamma, 1.5), (own.delta, 3)):
             curve = np.stack([across.along(p), up.along(weight(p, curvature))], axis=-1)
-            canvas.line(curve, judgement.colour, width * unit)
+            pen_line(canvas, curve, judgement.pen, width * unit)
     for judgement in judgements:
         curve = weight(p, judgement.parameters.delta)
         _mark(canvas, judgement, np.stack([across.along(p), up.along(curve)], axis=-1))
@@ -68,7 +67,7 @@ def draw_value_curves(
     ends = []
     for judgement, curve in zip(judgements, curves, strict=True):
         line = np.stack([across.along(x), up.along(curve)], axis=-1)
-        canvas.line(line, judgement.colour, 3 * unit)
+        pen_line(canvas, line, judgement.pen, 3 * unit)
         _mark(canvas, judgement, line)
         ends.append((float(line[-1, 1]), [judgement.label], judgement.colour))
     column = Box(panel.right, panel.top, box.right, panel.bottom)
@@ -79,8 +78,7 @@ def _mark(canvas: Canvas, judgement: Judgement, line: FloatArray) -> None:
     """Put the teacher's mark on a curve [N, 2], px, in some places."""
     for share in _MARKED:
         x, y = line[round(share * (len(line) - 1))].tolist()
-        radius, rim = 4.2 * canvas.unit, canvas.theme.panel
-        draw_shape(canvas, teacher_shape(judgement.teacher), (x, y), radius, judgement.colour, rim)
+        pen_mark(canvas, (x, y), judgement.pen, 4.2 * canvas.unit, canvas.theme.panel)
 
 
 def _frame(

@@ -137,7 +137,7 @@ def caption_height(canvas: Canvas, rollouts: Rollouts) -> float:
 def _captions(rollouts: Rollouts) -> list[list[str]]:
     """What the marks in the scene mean: for each line its wordings, the longest first."""
     count, kept = rollouts.count, rollouts.paths
-    sample = f"a sample, {kept} of {count:,} rollouts"
+    sample = f"a sample, {kept} of {count} rollouts"
     thin = "Thin: every rollout" if kept == count else f"Thin: {sample}"
     paths = [f"{thin} · bold: mean", thin]
     people = "Grey: people" if rollouts.scene.pedestrians else ""
