@@ -22,7 +22,12 @@ _MARKED = (0.15, 0.5, 0.85)  # where along a curve its marks lie, as shares of i
 def draw_weighting(canvas: Canvas, box: Box, judgements: Sequence[Judgement]) -> None:
     """Draw how much a probability counts for each teacher: of losses bold, of gains thin."""
     unit, small = canvas.unit, canvas.type.small
-    titles = ["Weight w(p) of a probability p", "Weight w(p) of p", "w(p)"]
+    titles = [
+        "Weight w(p) of a probability p · thin: gains",
+        "Weight w(p) · thin: gains",
+        "w(p) · thin: gains",
+        "w(p)",
+    ]
     across, up, panel = _frame(canvas, box, titles, (0.0, 1.0), (0.0, 1.0), "p")
     p = np.linspace(0.0, 1.0, 201)
     for judgement in judgements:
@@ -54,7 +59,7 @@ def draw_value_curves(
     small, unit = canvas.type.small, canvas.unit
     names = [judgement.label for judgement in judgements]
     room = min(
-        max((canvas.measure(name, small, SEMIBOLD) for name in names), default=0.0), 60 * unit
+        max((canvas.measure(name, small, SEMIBOLD) for name in names), default=0.0), 72 * unit
     )
     plot = Box(box.left, box.top, box.right - room - 6 * unit, box.bottom)
     titles = ["Value v(x) of a utility x", "Value v(x)", "v(x)"]

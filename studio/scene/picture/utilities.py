@@ -230,5 +230,6 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             at = (cell.centre[0], middle + 0.54 * body)
             canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
-            wordings = [f"{value} {interval}", f"{value} {brief}", value]
+            tight = brief.replace(", ", ",")
+            wordings = [f"{value} {each}" for each in (interval, brief, tight)] + [value]
             canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")

@@ -151,8 +151,13 @@ def _captions(rollouts: Rollouts) -> list[list[str]]:
         if (who >= 0).any()
     ]
     contact = f"touched: {', '.join(touched)}" if touched else ""
+    brief = people and f"{people} and their walks"
     others = joined(
-        (walks, groups, contact), (walks, contact), (people, groups, contact), (people, contact)
+        (walks, groups, contact),
+        (walks, contact),
+        (brief, groups, contact),
+        (brief, contact),
+        (people, contact),
     )
     dashed = [f"Dashed: {told}" for told in true_walks_told(rollouts)]
     return [lines for lines in (paths, others, dashed) if any(lines)]
