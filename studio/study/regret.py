@@ -20,6 +20,7 @@ class RegretRange:
     least: float  # the smallest above 0 of all means and seeds; infinite if there is none
     most: float  # the largest mean, seed or upper end of an interval; 0 without curves
     has_zero: bool  # whether a mean, or the regret of a seed, is 0
+    has_less: bool  # whether the regret of a seed is above 0, but below the least
 
     @classmethod
     def around(cls, curves: Sequence[Curve]) -> "RegretRange":
@@ -31,7 +32,8 @@ class RegretRange:
         lowest = float(means[means > 0.0].min(initial=np.inf)) / 4.0
         least = max(float(seeds[seeds > 0.0].min(initial=np.inf)), lowest)
         most = max(float(highs.max(initial=0.0)), float(seeds.max(initial=0.0)))
-        return cls(least, most, bool((seeds <= 0.0).any()))
+        has_less = bool(((seeds > 0.0) & (seeds < least)).any())
+        return cls(least, most, bool((seeds <= 0.0).any()), has_less)
 
     @property
     def start(self) -> float:

@@ -75,23 +75,28 @@ def findings_told(results: StudyResults) -> list[str]:
         group = undecided if is_open else better if found.difference < 0.0 else worse
         group.append(short_teacher_name(teacher))
     told = [
-        f"{who} has less regret than {other} for {listed(names)}"
+        f"{who} has less regret than {other} for {_teachers(names)}"
         for who, other, names in ((ours, theirs, better), (theirs, ours, worse))
         if names
     ]
-    still_open = f"for {listed(undecided)} it is open" if undecided else ""
     if not told:
-        told = [f"whether {ours} has less regret than {theirs} is open"]
-        still_open = ""
-    whole = ", ".join([*told, *filter(None, [still_open])])
-    short = ", ".join(told)
+        told, undecided = [f"whether {ours} or {theirs} has less regret is open"], []
+    short_told = ", ".join(told)
+    whole = f"{short_told}, open for {listed(undecided)}" if undecided else short_told
+    after = f"After {counted(pairs, 'pair')}, "
     return [
-        f"After {counted(pairs, 'pair')}, {whole}",
+        f"{after}{whole}",
         _capital(whole),
-        f"After {counted(pairs, 'pair')}, {short}",
-        _capital(short),
+        *([_capital(f"{short_told}, the rest open")] if undecided else []),
+        f"{after}{short_told}",
+        _capital(short_told),
         *study_titles(results),
     ]
+
+
+def _teachers(names: list[str]) -> str:
+    """Teachers as the title calls them, whom nobody takes for the learners of the same names."""
+    return f"{'teacher' if len(names) == 1 else 'teachers'} {listed(names)}"
 
 
 def _capital(words: str) -> str:
@@ -106,10 +111,15 @@ def finding_notes(results: StudyResults) -> list[str]:
     if results.seeds > 1:
         said.append(
             f"Line: mean over {results.seeds} seeds, band: its 95 % bootstrap interval; "
-            "dots: seeds; bars: interquartile mean with its 95 % interval"
+            "dots: seeds; cross-bar and bar: interquartile mean and its 95 % interval"
+            + ("; seeds below the axis lie at its end" if results.regrets.has_less else "")
         )
         if results.paired:
-            said.append("In the heads: paired difference at the most pairs with its 95 % interval")
+            ours, theirs = map(learner_name, results.paired)
+            said.append(
+                f"{ours} − {theirs}: mean difference, paired by seed, with its 95 % interval; "
+                "it is open who has less regret where that interval holds 0"
+            )
     return [f"{note}." for note in said]
 
 
@@ -154,8 +164,6 @@ def notes(stage: Stage) -> list[str]:
     said = []
     if seeds > 1:
         said.append(f"Picks: mean over {seeds} seeds, band: its 95 % bootstrap interval")
-        if len(results.learners) > 1:
-            said.append(f"[ ]: 95 % interval of the paired difference of regrets at {most}")
     if results.shaped:
         shades = ", ".join(map(str, stage.sharpening))
         said.append(
@@ -185,19 +193,18 @@ def verdicts(stage: Stage, teacher: Teacher) -> list[str]:
     if found is None:
         return []
     ours, theirs = map(learner_name, results.paired)
-    times = f"{ours}'s regret is {number(found.ratio, '.2f')} × {theirs}'s"
-    brief = f"{ours} {number(found.ratio, '.2f')} × {theirs}"
-    if not math.isfinite(found.ratio):
-        times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
     shift, low, high = map(signed, (found.difference, found.low, found.high))
     interval = f" [{low}, {high}]" if found.runs > 1 else ""
+    names, wholes = f"{ours} − {theirs}: ", []
+    if math.isfinite(found.ratio):
+        times = f"{number(found.ratio, '.2f')} × {theirs}'s regret"
+        wholes = [f"{names}{shift} percentage points{interval}, {times}"]
     return [
-        f"At {reached(stage)} {times}: {shift} percentage points{interval}",
-        f"{times}: {shift} percentage points{interval}",
-        f"{times}: {shift} % points{interval}",
-        f"{brief}: {shift} % points{interval}",
-        f"{brief}: {shift}{interval}",
-        f"{brief}: {shift}",
+        *wholes,
+        f"{names}{shift} percentage points{interval}",
+        f"{names}{shift} % points{interval}",
+        f"{names}{shift}{interval}",
+        f"{names}{shift}",
     ]
 
 

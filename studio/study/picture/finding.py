@@ -7,11 +7,11 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
-from studio.study.picture.heads import draw_head, head_height
+from studio.study.picture.heads import draw_heads
 from studio.study.picture.progress import draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
-from studio.study.words import finding_notes, findings_told, reached, study_subtitles
+from studio.study.words import finding_notes, findings_told, reached, study_subtitles, verdicts
 from studio.style.palette import LIGHT, Theme
 
 SIZE = (1600, 900)
@@ -27,10 +27,10 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the title and the notes
+    canvas: Canvas  # with title, heads and notes
     results: StudyResults  # of the teachers that there is room for
     heading: Box  # where the title lies; the number of pairs is at its right
-    panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher with a head and a plot below it
+    panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher, who learned better, the plot
     scales: Scales  # that the plots of all teachers share
 
 
@@ -69,12 +69,15 @@ def lay_out_finding(
         at = (page.left, top + index * _NOTE_STEP * kind.small)
         canvas.text(at, line, kind.small, canvas.theme.faint, line="top")
     body = Box(page.left, heading.bottom + 18 * unit, page.right, top - 12 * unit)
+    boxes = draw_heads(
+        canvas, _panels(body, max(len(results.teachers), 1), canvas.gap), results.teachers
+    )
+    verdict = kind.body + 3 * unit if results.paired else 0.0
     panels = []
-    boxes = _panels(body, max(len(results.teachers), 1), canvas.gap)
     for teacher, box in zip(results.teachers, boxes, strict=False):
-        head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
-        plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
-        panels.append((teacher, head, plot))
+        said = Box(box.left, box.top + 3 * unit, box.right, box.top + 3 * unit + verdict)
+        plot = Box(box.left, said.bottom + 8 * unit, box.right, box.bottom)
+        panels.append((teacher, said, plot))
     return FindingPage(canvas, results, heading, tuple(panels), Scales.around(results))
 
 
@@ -84,8 +87,12 @@ def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     corner, size = (page.heading.right, page.heading.top), canvas.type.title
     ink = canvas.theme.ink
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
-    for teacher, head, plot in page.panels:
-        draw_head(canvas, head, stage, teacher)
+    for teacher, said, plot in page.panels:
+        wordings = verdicts(stage, teacher)
+        if wordings:
+            kind = canvas.type
+            told = canvas.fitted(wordings, said.width, kind.body)
+            canvas.text((said.left, said.top), told, kind.body, ink, line="top")
         draw_regret(canvas, plot, stage, teacher, page.scales)
     return canvas
 

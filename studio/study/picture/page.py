@@ -13,7 +13,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.finding import MOST_TEACHERS, SIZE
-from studio.study.picture.heads import draw_head, head_height
+from studio.study.picture.heads import draw_heads
 from studio.study.picture.minds import draw_calibration, draw_reward, draw_risk, draw_shapes
 from studio.study.picture.progress import draw_agreement
 from studio.study.picture.scales import Scales
@@ -43,7 +43,6 @@ class TeacherColumn:
     """Where the plots about one teacher lie."""
 
     teacher: Teacher
-    head: Box  # for the teacher's name and the verdict
     shapes: Box | None  # for weights and values; None if no learner learnt any
     reward: Box
     risk: Box | None  # for parameters of prospect theory; None likewise
@@ -55,7 +54,7 @@ class TeacherColumn:
 class StudyPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the title of the study
+    canvas: Canvas  # with the title of the study and the teachers' names
     results: StudyResults  # of the teachers that there is room for
     heading: Box  # where the title lies; the number of pairs is at its right
     columns: tuple[TeacherColumn, ...]  # one a teacher
@@ -86,9 +85,10 @@ def lay_out_study(
     notes_box = Box(page.left, notes_top, page.right, page.bottom)
     body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
     boxes = body.columns([1.0] * max(len(results.teachers), 1), canvas.gap)
+    rest = draw_heads(canvas, boxes, results.teachers)
     columns = tuple(
         _lay_out_column(canvas, box, results, teacher)
-        for teacher, box in zip(results.teachers, boxes, strict=False)
+        for teacher, box in zip(results.teachers, rest, strict=False)
     )
     scales = Scales.around(results)
     return StudyPage(canvas, results, heading, columns, notes_box, more_notes, scales)
@@ -98,22 +98,21 @@ def _lay_out_column(
     canvas: Canvas, box: Box, results: StudyResults, teacher: Teacher
 ) -> TeacherColumn:
     unit, gap = canvas.unit, _BETWEEN * canvas.unit
-    head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
-    rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
-    shapes = risk = None
-    if rest.width < _NARROW * canvas.type.small:
-        if results.shaped:
-            shapes, reward, risk, calibration, agreement = rest.rows((1.0, 1.7, 1.6, 0.8, 0.9), gap)
-        else:
-            reward, calibration, agreement = rest.rows((1.7, 1.0, 1.0), gap)
-    elif results.shaped:
-        shapes, parameters, predictions = rest.rows((1.05, 1.2, 1.0), gap)
-        reward, risk = parameters.columns((1.45, 1.0), 20 * unit)
-        calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
+    rest = Box(box.left, box.top + 0.8 * gap, box.right, box.bottom)
+    is_narrow = rest.width < _NARROW * canvas.type.small
+    rows = [1.05, 1.4] if results.shaped else [1.4]  # shapes, numbers
+    rows += [0.95, 1.05] if is_narrow else [1.0]  # predictions
+    *above, last = rest.rows(rows, gap)
+    if is_narrow:
+        *above, calibration = above
+        agreement = last
     else:
-        reward, predictions = rest.rows((1.2, 1.0), gap)
-        calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
-    return TeacherColumn(teacher, head, shapes, reward, risk, calibration, agreement)
+        calibration, agreement = last.columns((1.0, 1.25), 20 * unit)
+    if not results.shaped:
+        return TeacherColumn(teacher, None, above[0], None, calibration, agreement)
+    shapes, numbers = above
+    reward, risk = numbers.columns((1.6, 1.0), 14 * unit)
+    return TeacherColumn(teacher, shapes, reward, risk, calibration, agreement)
 
 
 def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
@@ -124,7 +123,6 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
     canvas.text(corner, reached(stage), kind.title, ink, SEMIBOLD, anchor="right", line="top")
     for column in page.columns:
         teacher = column.teacher
-        draw_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
             draw_shapes(canvas, column.shapes, stage, teacher, scales)
         draw_reward(canvas, column.reward, stage, teacher, scales)
