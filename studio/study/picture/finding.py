@@ -27,9 +27,10 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with title, heads and notes
+    canvas: Canvas  # with the teachers' names and the notes
     results: StudyResults  # of the teachers that there is room for
-    heading: Box  # where the title lies; the number of pairs is at its right
+    room: float  # for titles, px; the number of pairs is at their right
+    subtitles: tuple[str, ...]  # wordings of what was studied
     panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher, who learned better, the plot
     scales: Scales  # that the plots of all teachers share
 
@@ -60,9 +61,10 @@ def lay_out_finding(
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
     room = page.width - max(widths) - kind.title
-    heading = draw_heading(
-        canvas, page, findings_told(results), study_subtitles(results, left_out), room
-    )
+    subtitles = study_subtitles(results, left_out)
+    # every stage has a title of its own; their headings are equally high
+    last = findings_told(results.stages[-1])
+    heading = draw_heading(canvas.copy(), page, last, subtitles, room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
     top = page.bottom - len(notes) * _NOTE_STEP * kind.small
     for index, line in enumerate(notes):
@@ -78,14 +80,16 @@ def lay_out_finding(
         said = Box(box.left, box.top + 3 * unit, box.right, box.top + 3 * unit + verdict)
         plot = Box(box.left, said.bottom + 8 * unit, box.right, box.bottom)
         panels.append((teacher, said, plot))
-    return FindingPage(canvas, results, heading, tuple(panels), Scales.around(results))
+    scales = Scales.around(results)
+    return FindingPage(canvas, results, room, tuple(subtitles), tuple(panels), scales)
 
 
 def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
-    corner, size = (page.heading.right, page.heading.top), canvas.type.title
-    ink = canvas.theme.ink
+    area, size, ink = canvas.page, canvas.type.title, canvas.theme.ink
+    draw_heading(canvas, area, findings_told(stage), page.subtitles, page.room)
+    corner = (area.right, area.top)
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
     for teacher, said, plot in page.panels:
         wordings = verdicts(stage, teacher)
