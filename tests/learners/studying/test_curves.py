@@ -6,7 +6,8 @@ import pyarrow.compute as pc
 import pytest
 
 from learners import TEACHERS, InputError, learning_curves, paired_differences
-from learners.studying.curves import mean_interval
+from learners.seeds import Stream, generator
+from learners.studying.curves import RESAMPLES, mean_interval, middle_interval, middle_mean
 
 
 @pytest.fixture
@@ -92,6 +93,46 @@ def test_intervals_hold_the_mean_about_as_often_as_they_say():
         for low, high in (mean_interval(random.normal(size=20)) for _ in range(200))
     ]
     assert 0.87 < np.mean(holds) < 0.99
+
+
+def test_the_interquartile_mean_does_not_hang_on_one_seed():
+    regrets = np.array([43.0, 5.5, 0.5, 1.4, 1.0])
+    assert middle_mean(regrets) == pytest.approx((1.0 + 1.4 + 5.5) / 3)
+    assert middle_mean(regrets[:3]) == pytest.approx(regrets[:3].mean())  # no quarter of three
+    of_ten = middle_mean(np.arange(10.0) ** 2)  # two are left out at either end
+    assert of_ten == pytest.approx((np.arange(2, 8.0) ** 2).mean())
+    columns = np.stack([regrets, -regrets], axis=1)
+    assert middle_mean(columns).tolist() == pytest.approx([7.9 / 3, -7.9 / 3])
+
+
+@pytest.mark.parametrize("count", [1, 3, 5, 8])
+def test_intervals_are_quantiles_of_draws_with_replacement(count):
+    samples = np.random.default_rng(count).exponential(size=(count, 2))
+    places = generator(0, Stream.BOOTSTRAP).integers(count, size=(RESAMPLES, count))
+    means = samples[places].mean(axis=1)
+    np.testing.assert_allclose(mean_interval(samples), np.quantile(means, [0.025, 0.975], axis=0))
+    # the places stand for ranks here
+    draws = np.sort(samples, axis=0)[places]
+    middles = [middle_mean(draw) for draw in draws]
+    np.testing.assert_allclose(
+        middle_interval(samples), np.quantile(middles, [0.025, 0.975], axis=0)
+    )
+
+
+def test_curves_carry_every_seed_and_their_middle(table):
+    one = learning_curves(table)[1]
+    assert [samples.tolist() for samples in one.samples] == [[4, 5, 6, 7], [1, 2, 3, 4]]
+    assert one.middle.tolist() == one.median.tolist() == [5.5, 2.5]
+    there = one.at(25)
+    assert (there.middle, there.median, there.samples.tolist()) == (5.5, 5.5, [4, 5, 6, 7])
+    assert there.middle_low < there.middle < there.middle_high
+    doubled = one.mapped(lambda regrets: 2.0 * regrets).at(25)
+    assert (doubled.middle, doubled.samples.tolist()) == (11.0, [8, 10, 12, 14])
+    late = one.where(one.pairs > 25)
+    assert late.pairs.tolist() == [100]
+    assert late.samples[0].tolist() == [1, 2, 3, 4]
+    of_list = learning_curves(table, "theta_unit")[0].at(25).of(0)
+    assert (of_list.middle, of_list.samples.tolist()) == (1.5, [0, 1, 2, 3])
 
 
 def test_what_cannot_be_averaged_is_refused(table):
