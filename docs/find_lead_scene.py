@@ -16,7 +16,7 @@ from studio.scene.reference import reference_utilities
 from studio.scene.sources import numbered_scene
 from studio.scene.words import pick_with_shares
 
-NUMBERS = 400  # of each family and pattern, from 0 on
+NUMBERS = 3000  # of each family and pattern, from 0 on
 FEW, MANY = 50, 2000  # rollouts of each action
 FIRST_LOOK = 200  # rollouts that rule out most scenes at little cost
 PROMISING = 0.85  # share of draws that must lead to each pick at first look
@@ -36,6 +36,8 @@ def qualifying_scenes() -> Iterator[tuple[Scene, tuple[Judgement, ...]]]:
 def sure_judgements(scene: Scene) -> tuple[Judgement, ...] | None:
     """What the teachers think of the actions, if they differ and all of their picks are sure."""
     few = simulate(scene, rollouts=FEW)
+    if len({each.best for each in judge(few)}) < 2:
+        return None
     first_look = judge(few, reference=utilities(simulate(scene, rollouts=FIRST_LOOK)))
     if not differ(first_look) or min(each.shares.max() for each in first_look) < PROMISING:
         return None

@@ -59,6 +59,12 @@ class Rollouts(Outcomes):
     pedestrians: FloatArray
     without_robot: FloatArray
 
+    def __repr__(self) -> str:
+        # arrays would fill pages
+        sizes = f"{len(self.actions)} actions × {self.count} rollouts × {self.steps} steps"
+        people = f"{len(self.scene.pedestrians)} pedestrians"
+        return f"<Rollouts of {self.scene.name}: {sizes}, {people}, seed {self.seed}>"
+
     @property
     def paths(self) -> int:
         """Of how many rollouts of each action the paths are kept, M."""

@@ -23,6 +23,9 @@ SHORTEST_WALL = 0.1
 MEAN_WALKING_SPEED = 1.34
 """Mean desired speed of pedestrians, m/s (Helbing and Molnár 1995, section III)."""
 
+TRACK_STEP = 0.4
+"""Time between two places of a recorded walk, s."""
+
 GOAL_DISTANCE = 40.0
 """How far away the goals lie that are chosen for people, m: nobody walks so far in 10 s."""
 
@@ -59,12 +62,16 @@ class Pedestrian:
             stays standing.
         velocity: velocity at time 0 (vx, vy), m/s; left out, the person walks at the desired
             speed towards the goal.
+        track: where a person of a real crowd truly was from time 0 on, every `TRACK_STEP` (x, y),
+            m; left out for people who are made up. Nothing is simulated by it: simulated walks can
+            be held against it.
     """
 
     start: Position
     goal: Position
     desired_speed: Annotated[float, Field(strict=True, ge=0.0, le=5.0)] = MEAN_WALKING_SPEED
     velocity: tuple[SpeedComponent, SpeedComponent] | None = None
+    track: Annotated[tuple[Position, ...], Field(min_length=1, max_length=500)] | None = None
 
 
 @dataclass(frozen=True, config=_STRICT)
@@ -118,6 +125,12 @@ class Scene:
     family: Word = "custom"
     pattern: Word = "custom"
     number: Annotated[int, Field(strict=True, ge=0, le=LARGEST_NUMBER)] = 0
+
+    def __repr__(self) -> str:
+        # `scene_to_toml` tells everything
+        kind = f"{self.family}, {self.pattern}, number {self.number}"
+        inside = f"{len(self.pedestrians)} pedestrians, {len(self.walls)} walls"
+        return f"<Scene {self.name}: {kind}, {inside}>"
 
     def __post_init__(self) -> None:
         _check_walls(self)

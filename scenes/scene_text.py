@@ -14,13 +14,17 @@ from scenes.scene import Scene
 
 _SCENE = TypeAdapter(Scene)
 _SHORT_ARRAY = re.compile(r"\[\n\s*([^\[\]]+),\n\s*\]")
+_TRACK = re.compile(r"^track = \[\n\s*(.*?),\n\]", re.MULTILINE | re.DOTALL)
 _LINE_BREAK = re.compile(r",\n\s*")
 
 
 def scene_to_toml(scene: Scene) -> str:
     """The scene as TOML text, ready to edit; `scene_from_toml` reads it back exactly."""
     text = tomli_w.dumps(_without_none(asdict(scene)))
-    return _SHORT_ARRAY.sub(lambda found: f"[{_LINE_BREAK.sub(', ', found[1])}]", text)
+    text = _SHORT_ARRAY.sub(lambda found: f"[{_LINE_BREAK.sub(', ', found[1])}]", text)
+    return _TRACK.sub(
+        lambda found: f"track = [{_LINE_BREAK.sub(', ', found[1].strip(' ,'))}]", text
+    )
 
 
 def scene_from_toml(text: str, source: str = "scene") -> Scene:

@@ -17,6 +17,8 @@ from scenes.scene_text import one_line
 
 _END_IS_NEAR = 1.0  # a track that ends nearer does not show where the person is headed, m
 
+_LONGEST_TRACK = 150  # steps of a track that are kept: a minute, the longest simulated time
+
 MOMENT = 4.0
 """Least time between two busy moments of a recording, s: neighbouring frames show one crowd."""
 
@@ -26,11 +28,12 @@ def scene_from_tracks(
 ) -> Scene:
     """The scene of one moment of a recording, with a robot that crosses it.
 
-    People start where they were and as fast as they were. Their desired speed is the mean speed of
-    the rest of their track. Their goal lies far beyond the end of their track, because people did
-    not stop where the camera's view ends, but the force model stops people at their goals. Whoever
-    is slower than `STANDING_SPEED` stands. People who are annotated inside a wall or another person
-    are moved out by as little as possible (to within 1 cm).
+    People start where they were and as fast as they were, and their true walk is kept as their
+    track. Their desired speed is the mean speed of the rest of their track. Their goal lies far
+    beyond the end of their track, because people did not stop where the camera's view ends, but the
+    force model stops people at their goals. Whoever is slower than `STANDING_SPEED` stands. People
+    who are annotated inside a wall or another person are moved out by as little as possible (to
+    within 1 cm).
 
     A start or goal of the robot that is left open is chosen so that the robot narrowly passes as
     many people as possible in the next four seconds; the choice is the same each time. A chosen
@@ -85,9 +88,9 @@ def busiest_frames(path: Path, count: int = 10) -> list[tuple[int, int]]:
     """
     if count < 1:
         raise InputError(f"count: {count} is not allowed: at least 1")
-    frames, people = np.unique(read_tracks(path).frames, return_counts=True)
-    step = np.diff(frames).min(initial=np.iinfo(np.int32).max)  # frames between annotations
-    apart = step * round(MOMENT / ANNOTATION_STEP)
+    tracks = read_tracks(path)
+    frames, people = np.unique(tracks.frames, return_counts=True)
+    apart = _frame_step(tracks) * round(MOMENT / ANNOTATION_STEP)
     chosen: list[tuple[int, int]] = []
     for index in np.lexsort((frames, -people)):
         frame = int(frames[index])
@@ -110,13 +113,30 @@ def _at_frame(tracks: Tracks, frame: int) -> slice:
     return slice(int(first), int(end))
 
 
+def _frame_step(tracks: Tracks) -> int:
+    """How many frames lie between one annotated frame and the next."""
+    return int(np.diff(np.unique(tracks.frames)).min(initial=np.iinfo(np.int32).max))
+
+
+def _track(tracks: Tracks, person: int, frame: int) -> tuple[Position, ...]:
+    """Where a person was from a frame on, every `TRACK_STEP`, to the nearest centimetre.
+
+    Where an annotation is missing, the person went straight on to the next one.
+    """
+    later = (tracks.people == person) & (tracks.frames >= frame)
+    steps = (tracks.frames[later] - frame) / _frame_step(tracks)
+    every = np.arange(min(int(steps[-1]), _LONGEST_TRACK) + 1)
+    places = [np.interp(every, steps, along).round(2) + 0.0 for along in tracks.positions[later].T]
+    return tuple(position(place) for place in np.stack(places, axis=-1))
+
+
 def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> Pedestrian:
     later = (tracks.people == person) & (tracks.frames >= frame)
     positions, velocities = tracks.positions[later], tracks.velocities[later]
-    place = position(start)
+    place, track = position(start), _track(tracks, person, frame)
     speeds = np.hypot(velocities[:, 0], velocities[:, 1])
     if min(speeds[0], speeds.mean()) < STANDING_SPEED:
-        return Pedestrian(start=place, goal=place, desired_speed=0.0)
+        return Pedestrian(start=place, goal=place, desired_speed=0.0, track=track)
     ahead = positions[-1] - start
     if np.hypot(*ahead) < _END_IS_NEAR:
         ahead = velocities[0]
@@ -127,6 +147,7 @@ def _pedestrian(tracks: Tracks, person: int, frame: int, start: FloatArray) -> P
             goal=position(goal),
             desired_speed=float(speeds.mean()),
             velocity=position(velocities[0]),
+            track=track,
         )
     except ValidationError as error:
         raise InputError(

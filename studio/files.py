@@ -68,6 +68,20 @@ def file_name(*words: str) -> str:
     return "-".join(re.sub(r"[^\w.-]", "_", word) for word in words)
 
 
+def checked_name(name: str) -> str:
+    """The name that a person gives to files, without a folder and without an ending.
+
+    Raises:
+        InputError: if files cannot have this name.
+    """
+    if not name or name != file_name(name) or name.startswith(".") or len(name) > 200:
+        raise InputError(
+            f"--name: {name[:200]!r} is not allowed: up to 200 letters, digits, dots, - and _, "
+            "without a folder, and not beginning with a dot"
+        )
+    return name
+
+
 def check_is_recording(path: Path) -> None:
     """Make sure that a file begins like a Rerun recording.
 

@@ -48,6 +48,20 @@ def spans() -> str:
     return ", ".join(_kind_in(module).SPAN for module in KINDS.values())
 
 
+def open_recording(path: str | Path) -> "Recording":
+    """Open a recording as data, whichever version of the studio has written it.
+
+    Returns:
+        Of a scene, an object with its `rollouts` and `judgements`; of a comparison, with its
+        `comparison` and `judgements`; of a study, with its `results`. All of them have `to_arrow()`
+        and `to_pandas()`: one row an outcome, or a fit.
+
+    Raises:
+        InputError: if the file is not a whole recording of the studio, or of a newer edition.
+    """
+    return read_recording(Path(path))
+
+
 def read_recording(path: Path) -> "Recording":
     """Read a recording of any kind.
 

@@ -6,72 +6,26 @@ picture does not wait for what draws it.
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from studio.files import check_is_recording, file_name, replacing
+from studio.errors import InputError
+from studio.files import check_is_recording, checked_name, file_name, replacing
+from studio.made.files import files_of, paint, recording_into
+from studio.made.results import Compared, Learned, Recorded
 from studio.progress import Quiet
-from studio.scene.sources import Source, find_scene
+from studio.scene.sources import Source, find_scene, words_of
 from studio.study.paper.check import check_figure
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    import pyarrow as pa
+    from collections.abc import Sequence
 
     from learners import Learner, Study, Teacher
     from scenes import Rollouts, Scene
     from scenes.bank import BankPlan
     from scenes.rollouts import Engine
-    from studio.comparison.comparison import Comparison
-    from studio.recording import Excerpt, Look, Recording
-    from studio.scene.judgements import Judgement
+    from studio.recording import Excerpt, Look
     from studio.study.links import Links
-    from studio.study.results import StudyResults
-
-
-@dataclass(frozen=True, kw_only=True)
-class Made:
-    """What was made: the files, the recording first, or of a study the table first."""
-
-    files: tuple[Path, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Recorded(Made):
-    """What came of recording a scene: its rollouts, and what each teacher thinks of its actions."""
-
-    rollouts: Rollouts
-    judgements: tuple[Judgement, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Compared(Made):
-    """What came of comparing two actions, which are on random sides.
-
-    The judgements are what each teacher thinks of the two, left then right.
-    """
-
-    comparison: Comparison
-    judgements: tuple[Judgement, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Learned(Made):
-    """What came of a study; recordings of single scenes come last among its files.
-
-    The caption is one for the figure, in one line; it is empty without a figure.
-    """
-
-    results: StudyResults
-    caption: str = ""
-
-    @property
-    def table(self) -> pa.Table:
-        """One row a fit, see `learners.STUDY_SCHEMA`."""
-        return self.results.table
 
 
 class Studio:
@@ -93,6 +47,8 @@ class Studio:
         *,
         png: bool = True,
         mp4: bool = True,
+        name: str | None = None,
+        force: bool = False,
         **settings: Any,
     ) -> Recorded:
         """Simulate a scene and write its recording, picture and film.
@@ -102,15 +58,21 @@ class Studio:
             seed: of the noise, and of the scene if only its family is named.
             png: whether to write the picture.
             mp4: whether to write the film.
+            name: of the files, without an ending; left out, the scene's, with whatever is unusual
+                of pattern, number and seed, for example `intersection-11`.
+            force: whether the files may replace those of something else. Those of the very same
+                recording are always replaced.
             settings: further arguments of `scenes.simulate`: rollouts, horizon, model, engine,
                 noise and so on.
 
         Raises:
             InputError: if there is no such scene, a setting is not allowed (`scenes.InputError`),
-                or the folder cannot be written to.
+                the folder cannot be written to, or something else has the files' names.
         """
         found = self._find(scene, seed)
-        with self._recording(found.name, png, mp4) as (part, files):
+        name = file_name(*words_of(found, seed)) if name is None else checked_name(name)
+        files = files_of(self.out / name, png, mp4)
+        with recording_into(files, force, self.progress) as part:
             rollouts = self._simulate(found, seed, settings)
 
             from studio.scene.judgements import judge
@@ -130,6 +92,8 @@ class Studio:
         *,
         png: bool = True,
         mp4: bool = True,
+        name: str | None = None,
+        force: bool = False,
         **settings: Any,
     ) -> Compared:
         """Put two actions of a scene side by side; write recording, picture and film.
@@ -139,14 +103,18 @@ class Studio:
 
         Raises:
             InputError: if there is no such scene or action, a setting is not allowed
-                (`scenes.InputError`), or the folder cannot be written to.
+                (`scenes.InputError`), the folder cannot be written to, or something else has the
+                files' names.
         """
         from scenes import META_ACTIONS
         from studio.comparison.comparison import check_two, side_by_side
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
-        with self._recording(file_name(found.name, one, other), png, mp4) as (part, files):
+        usual = file_name(*words_of(found, seed), one, other)
+        name = usual if name is None else checked_name(name)
+        files = files_of(self.out / name, png, mp4)
+        with recording_into(files, force, self.progress) as part:
             comparison = side_by_side(self._simulate(found, seed, settings), one, other, seed)
 
             from studio.comparison.recording.write import write_comparison_recording
@@ -184,7 +152,7 @@ class Studio:
         read = read_recording(source)
         check_files(wanted, read, excerpt)
         with replacing(*wanted, option="--png, --mp4, --gif") as parts:
-            self._paint(parts, read, look, excerpt)
+            paint(parts, read, self.progress, look, excerpt)
         return wanted
 
     def sample(self, path: str | Path, plan: BankPlan) -> Path:
@@ -211,6 +179,9 @@ class Studio:
         pairs: Sequence[int] = (25, 50, 100, 200, 500, 1000, 2000),
         seeds: int = 5,
         figure: str | Path | None = None,
+        *,
+        name: str = "learning",
+        force: bool = False,
     ) -> Learned:
         """Study how well learners recover what teachers want; write table, picture and recording.
 
@@ -228,19 +199,29 @@ class Studio:
             pairs: numbers of pairs to learn from.
             seeds: how many repetitions.
             figure: the figure for a paper to write as well, a PDF or SVG file; left out, none.
+            name: of the files, without an ending; under any but the usual name, the folder for
+                recordings of scenes has it, too.
+            force: whether the files may replace those of something else. Those of the same study
+                are always replaced, if it has as many fits or more.
 
         Raises:
-            InputError: if the folder cannot be written to, the figure cannot be drawn, or something
-                cannot be studied (`learners.InputError`, `scenes.InputError`).
+            InputError: if the folder cannot be written to, something else has the files' names, the
+                figure cannot be drawn, or something cannot be studied (`learners.InputError`,
+                `scenes.InputError`).
         """
         drawn = () if figure is None else (check_figure(Path(figure)),)
         from learners import Study, find_learners, find_teachers, read_bank
 
         who, fitted = find_teachers(teachers), find_learners(learners)
+        from studio.study.run import check_loses_no_fits
+
+        name = checked_name(name)
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
-        unfinished = self.out / ".learning.unfinished.parquet"
-        files = tuple(self.out / f"learning{suffix}" for suffix in (".parquet", ".png", ".rrd"))
+        unfinished = self.out / f".{name}.unfinished.parquet"
+        files = tuple(self.out / f"{name}{suffix}" for suffix in (".parquet", ".png", ".rrd"))
+        if not force:
+            check_loses_no_fits(study, files, unfinished)
         with replacing(*files) as parts, replacing(*drawn, option="--figure") as papers:
             from studio.study.run import run_or_resume
             from studio.study.write import write_study
@@ -248,14 +229,17 @@ class Studio:
             with self.progress.steps("fits") as done:
                 results = run_or_resume(study, unfinished, done)
             # the scenes come first, so that no link ever leads nowhere
-            links = self._record_scenes(study, results.told_scenes, bank)
+            folder = self.out / ("scenes" if name == "learning" else f"{name}-scenes")
+            links = self._record_scenes(study, results.told_scenes, bank, folder, force)
             caption = write_study(parts, papers, results, bank.name, links)
         unfinished.unlink(missing_ok=True)
         scenes = [self.out / link.path for link in links.values()]
         return Learned(files=(*files, *drawn, *scenes), results=results, caption=caption)
 
-    def _record_scenes(self, study: Study, numbers: Sequence[int], bank: Path) -> Links:
-        """Record these scenes of the bank, as far as they can be made again."""
+    def _record_scenes(
+        self, study: Study, numbers: Sequence[int], bank: Path, folder: Path, force: bool
+    ) -> Links:
+        """Record these scenes of the bank into a folder, as far as they can be made again."""
         from scenes.bank import read_plan
         from studio.study.scenes import record_scenes
 
@@ -264,14 +248,20 @@ class Studio:
             return {}
         self._warm_up(plan.engine)
         with self.progress.steps("recordings of scenes") as done:
-            return record_scenes(self.out, plan, study.prospects, numbers, done)
+            return record_scenes(folder, plan, study.prospects, numbers, done, force=force)
 
     def _default_bank(self) -> Path:
         """The default bank in the folder for output, sampled unless it is there already."""
-        from scenes.bank import BankPlan, is_bank_of
+        from scenes.bank import BankPlan, is_bank_of, read_plan
 
         path, plan = self.out / "outcomes.parquet", BankPlan()
-        return path if is_bank_of(plan, path) else self.sample(path, plan)
+        if is_bank_of(plan, path):
+            return path
+        if path.exists() and read_plan(path) != plan:
+            raise InputError(
+                f"{path}: is not the default bank: name it with --outcomes, or move it"
+            )
+        return self.sample(path, plan)
 
     def view(self, path: str | Path) -> None:
         """Open a recording in the Rerun viewer, and wait until it is closed.
@@ -293,24 +283,6 @@ class Studio:
             scene = Source(str(scene), seed=seed)
         return find_scene(scene) if isinstance(scene, Source) else scene
 
-    @contextmanager
-    def _recording(
-        self, name: str, png: bool, mp4: bool
-    ) -> Iterator[tuple[Path, tuple[Path, ...]]]:
-        """Where the block writes a recording, and all files that are there once it has succeeded.
-
-        The pictures are painted from what was just recorded, not from what was simulated: the
-        picture is the data.
-        """
-        suffixes = [".rrd", *([".png"] if png else []), *([".mp4"] if mp4 else [])]
-        files = tuple(self.out / f"{name}{suffix}" for suffix in suffixes)
-        with replacing(*files) as [part, *pictures]:
-            yield part, files
-            if pictures:
-                from studio.kinds import read_recording
-
-                self._paint(pictures, read_recording(part))
-
     def _simulate(self, scene: Scene, seed: int, settings: dict[str, Any]) -> Rollouts:
         from scenes import simulate
 
@@ -324,20 +296,3 @@ class Studio:
         note = "Preparing the engine; the first use compiles it, about a quarter of a minute ..."
         with self.progress.waiting(note):
             warm_up(engine)
-
-    def _paint(
-        self,
-        parts: Sequence[Path],
-        recording: Recording,
-        look: Look | None = None,
-        excerpt: Excerpt | None = None,
-    ) -> None:
-        """Paint a recording into files, and tell how far a film is."""
-        from studio.recording import write_picture
-
-        for part in parts:
-            if part.suffix == ".png":
-                write_picture(part, recording, look, excerpt)
-            else:
-                with self.progress.steps("film") as done:
-                    write_picture(part, recording, look, excerpt, done)

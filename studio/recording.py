@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -16,6 +17,9 @@ from studio.errors import InputError
 from studio.style.palette import THEMES, Theme
 
 if TYPE_CHECKING:
+    import pandas as pd
+    import pyarrow as pa
+
     from studio.painter.canvas import Canvas
     from studio.painter.segments import Segment
     from studio.progress import Progress
@@ -78,9 +82,10 @@ class Excerpt:
 
 
 class Recording(Protocol):
-    """What the studio asks of a recording, whatever its kind.
+    """What the studio asks of a recording, whatever its kind, and what a person can ask of it.
 
-    All of it raises `InputError` if a size is not allowed or the recording has no such excerpt.
+    A kind's own class derives from this one. Painting raises `InputError` if a size is not allowed
+    or the recording has no such excerpt.
     """
 
     @property
@@ -96,6 +101,20 @@ class Recording(Protocol):
 
     def moving(self, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
         """The film in segments, of this size (px) whatever the look says."""
+
+    def to_arrow(self) -> pa.Table:
+        """The numbers that the recording is about, as a table."""
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table of `to_arrow` as a data frame.
+
+        Raises:
+            InputError: if pandas is not installed.
+        """
+        if find_spec("pandas") is None:
+            install = "pip install 'prospect-studio[pandas]'"
+            raise InputError(f"to_pandas: pandas is not installed: {install}")
+        return self.to_arrow().to_pandas()
 
 
 def write_picture(

@@ -13,6 +13,7 @@ import click
 
 from studio.cli.failures import OneLineErrors
 from studio.cli.options import (
+    FORCE,
     OUT_FOLDER,
     PixelSize,
     SpanOption,
@@ -42,7 +43,9 @@ def main() -> None:
 def record(out: Path, no_png: bool, no_mp4: bool, **given: Any) -> None:
     """Simulate a scene; write its recording, picture and film.
 
-    Writes OUT/NAME.rrd (open it with `studio view`), NAME.png and NAME.mp4.
+    Writes OUT/NAME.rrd (open it with `studio view`), NAME.png and NAME.mp4. NAME tells the scene,
+    its pattern, number and seed where they are not the usual ones, for example intersection-11.
+    Files of something else are not replaced, unless by --force.
     """
     from studio.cli.reports import recorded_report
 
@@ -158,6 +161,8 @@ def sample(out: Path, **plan: Any) -> None:
     help="Also write the figure for a paper; needs the package's extra `figures`.",
 )
 @OUT_FOLDER
+@click.option("--name", default="learning", show_default=True, help="Name of the files.")
+@FORCE
 def learn(
     outcomes: Path | None,
     teachers: tuple[str, ...],
@@ -168,19 +173,24 @@ def learn(
     seeds: int,
     figure: Path | None,
     out: Path,
+    name: str,
+    force: bool,
 ) -> None:
     """Study how well learners recover what teachers want.
 
     Teachers choose between pairs of actions, learners are fitted to the choices and put to the test
     on scenes that were kept back. Writes OUT/learning.parquet, learning.png and learning.rrd, and
     into OUT/scenes the recordings of the few scenes that learning.rrd links to; an interrupted
-    study continues where it stopped.
+    study continues where it stopped. Fits of another study are not replaced, unless by --force.
     """
     from studio.cli.reports import learned_report
     from studio.study.teachers import read_teachers
 
     who = read_teachers(teachers, profiles, beta)
-    _print(learned_report(_studio(out).learn(outcomes, who, learners, pairs, seeds, figure)))
+    learned = _studio(out).learn(
+        outcomes, who, learners, pairs, seeds, figure, name=name, force=force
+    )
+    _print(learned_report(learned))
 
 
 @main.command()

@@ -163,10 +163,19 @@ def take_source(given: dict[str, Any]) -> Source:
     return Source(seed=given["seed"], **{name: given.pop(name) for name in _SCENE_OPTIONS})
 
 
+FORCE = click.option(
+    "--force", is_flag=True, help="Replace files of something else that have these names."
+)
+
+
 def file_options(command: Command) -> Command:
     """The options that say what is written where."""
     options = [
         OUT_FOLDER,
+        click.option(
+            "--name", help="Name of the files, without an ending; the scene's if left out."
+        ),
+        FORCE,
         click.option("--no-png", is_flag=True, help="Write no picture."),
         click.option("--no-mp4", is_flag=True, help="Write no film."),
     ]

@@ -5,7 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from studio.recording import Recording
+
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from studio.comparison.comparison import Comparison
     from studio.painter.canvas import Canvas
     from studio.painter.segments import Segment
@@ -17,7 +21,7 @@ SPAN = "outcomes of a comparison"
 
 
 @dataclass(frozen=True)
-class ComparisonRecording:
+class ComparisonRecording(Recording):
     """Two actions side by side, as recorded."""
 
     comparison: Comparison  # positions and headings are rounded as the recording is
@@ -47,6 +51,17 @@ class ComparisonRecording:
         span = excerpt.span(1, self.comparison.rollouts.count)
         rate = look.frames_per_second
         return compose_comparison_film(self.comparison, size, rate, look.colours, span)
+
+    def to_arrow(self) -> pa.Table:
+        """One row an outcome, and on which `side` it is: A or B, then as of a scene."""
+        import pyarrow as pa
+
+        from studio.comparison.comparison import SIDES
+        from studio.scene.table import outcomes_as_table
+
+        rollouts = self.comparison.rollouts
+        sides = pa.array([side for side in SIDES for _ in range(rollouts.count)])
+        return outcomes_as_table(rollouts).add_column(0, "side", sides)
 
 
 def read(contents: Contents) -> ComparisonRecording:

@@ -5,7 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from studio.recording import Recording
+
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from scenes import Rollouts
     from studio.painter.canvas import Canvas
     from studio.painter.segments import Segment
@@ -17,7 +21,7 @@ SPAN = "s of a scene"
 
 
 @dataclass(frozen=True)
-class SceneRecording:
+class SceneRecording(Recording):
     """A scene under all its actions, as recorded."""
 
     rollouts: Rollouts  # positions and headings are rounded as the recording is
@@ -47,6 +51,12 @@ class SceneRecording:
         span = excerpt.span(0.0, self.rollouts.horizon)
         rate = look.frames_per_second
         return compose_film(shown.rollouts, shown.judgements, size, rate, theme, span)
+
+    def to_arrow(self) -> pa.Table:
+        """One row an outcome, see `studio.scene.table.outcomes_as_table`."""
+        from studio.scene.table import outcomes_as_table
+
+        return outcomes_as_table(self.rollouts)
 
     def only(self, names: tuple[str, ...]) -> SceneRecording:
         """The recording as if these were all of its actions; the whole one without names."""

@@ -68,10 +68,9 @@ def find_scene(source: Source) -> Scene:
 
 
 def numbered_scene(family: str, pattern: str | None, seed: int, number: int) -> Scene:
-    """A generated scene under a name of its own, which none of its family shares.
+    """A generated scene under a name of its own, which no other one has, see `numbered_name`.
 
-    Recorded, it does not replace the family's own recording. People meet in the family's first
-    pattern if none is given.
+    People meet in the family's first pattern if none is given.
 
     Raises:
         InputError: if there is no such scene (`scenes.InputError`).
@@ -79,7 +78,38 @@ def numbered_scene(family: str, pattern: str | None, seed: int, number: int) -> 
     from scenes import load_scene
 
     scene = load_scene(family, pattern, seed, number)
-    return replace(scene, name=f"{family}-{seed}-{number}")
+    return replace(scene, name=numbered_name(scene, seed))
+
+
+def numbered_name(scene: Scene, seed: int) -> str:
+    """The name of a generated scene that tells it from all others, given the seed of its series.
+
+    For example `doorway-0-3`, or `doorway-mixed-0-3` where the pattern is not the family's first.
+    """
+    return "-".join([scene.family, *_unusual_pattern(scene), str(seed), str(scene.number)])
+
+
+def words_of(scene: Scene, seed: int) -> tuple[str, ...]:
+    """What the files of a scene are named by, so that no two scenes share them.
+
+    Args:
+        scene: of whose name they have the name; if it is that of its family, they tell the pattern
+            and the number, too, unless these are the family's first.
+        seed: of the noise, told unless it is 0.
+    """
+    words = [scene.name]
+    if scene.name == scene.family:
+        words += [*_unusual_pattern(scene), *([str(scene.number)] if scene.number else [])]
+    return (*words, *([f"seed{seed}"] if seed else []))
+
+
+def _unusual_pattern(scene: Scene) -> list[str]:
+    """The pattern of a scene, unless it is the one that its family has if none is asked for."""
+    from scenes import FAMILIES
+
+    family = FAMILIES.get(scene.family)
+    is_usual = family is not None and scene.pattern == family.patterns[0]
+    return [] if is_usual else [scene.pattern]
 
 
 def is_file(name: str) -> bool:

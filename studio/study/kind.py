@@ -6,8 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from studio.errors import InputError
+from studio.recording import Recording
 
 if TYPE_CHECKING:
+    import pyarrow as pa
+
     from studio.painter.canvas import Canvas
     from studio.painter.segments import Segment
     from studio.recorder.contents import Contents
@@ -18,7 +21,7 @@ SPAN = "pairs of a study"
 
 
 @dataclass(frozen=True)
-class StudyRecording:
+class StudyRecording(Recording):
     """What came of a study, as recorded."""
 
     results: StudyResults
@@ -44,6 +47,10 @@ class StudyRecording:
 
         shown, rate = self.between(excerpt), look.frames_per_second
         return compose_study_film(shown, size, rate, look.colours)
+
+    def to_arrow(self) -> pa.Table:
+        """One row a fit, see `learners.STUDY_SCHEMA`."""
+        return self.results.table
 
     def between(self, excerpt: Excerpt) -> StudyResults:
         """The results as if the study had been of the excerpt's numbers of pairs alone.

@@ -12,37 +12,47 @@ from scenes import InputError, Rollouts
 from scenes.bank import BankPlan, planned_scene, simulate_planned
 from studio.files import replacing
 from studio.progress import Progress
+from studio.recorder.replaced import check_same_recording
 from studio.scene.again import record_command
 from studio.scene.judgements import judge
 from studio.scene.recording.write import write_recording
+from studio.scene.sources import numbered_name
 from studio.study.links import Links, SceneLink
-
-FOLDER = "scenes"
-"""Where recordings of a bank's scenes are kept, beside that of the study."""
 
 
 def record_scenes(
-    folder: Path, plan: BankPlan, prospects: Prospects, numbers: Sequence[int], progress: Progress
+    folder: Path,
+    plan: BankPlan,
+    prospects: Prospects,
+    numbers: Sequence[int],
+    progress: Progress,
+    *,
+    force: bool = False,
 ) -> Links:
     """Record scenes of a bank, as far as they can be made again.
 
     Args:
-        folder: that of the study's own recording; those of the scenes lie in `FOLDER` in it.
+        folder: where they go, a folder in that of the study's own recording.
         plan: how the bank says it was sampled.
         prospects: what the bank holds.
         numbers: ids of scenes in the bank.
         progress: told after every recording how many of how many are done.
+        force: whether they may replace recordings of something else.
 
     Raises:
-        InputError: if a recording cannot be written there.
+        studio.errors.InputError: if a recording cannot be written there, or would replace one of
+            something else.
     """
     links: Links = {}
     for number, rollouts in scenes_again(plan, prospects, numbers):
         name = rollouts.scene.name
-        path = f"{FOLDER}/{name}.rrd"
-        with replacing(folder / path) as [part]:
+        file = folder / f"{name}.rrd"
+        with replacing(file) as [part]:
             write_recording(part, rollouts, judge(rollouts))
-        links[number] = SceneLink(name, path, record_commands(plan, rollouts))
+            if not force:
+                check_same_recording([file], part)
+        path = f"{folder.name}/{file.name}"
+        links[number] = SceneLink(name, path, record_commands(plan, rollouts, folder.name))
         progress(len(links), len(numbers))
     return links
 
@@ -63,7 +73,7 @@ def scenes_again(
         try:
             scene = planned_scene(plan, number)
             # the name that `studio scenes` gives it, so that no two scenes share a file
-            scene = replace(scene, name=f"{scene.name}-{plan.seed}-{number}")
+            scene = replace(scene, name=numbered_name(scene, plan.seed))
             rollouts = simulate_planned(plan, scene)
         except InputError:
             continue
@@ -71,11 +81,11 @@ def scenes_again(
             yield number, rollouts
 
 
-def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
+def record_commands(plan: BankPlan, rollouts: Rollouts, folder: str) -> tuple[str, ...]:
     """The command lines that make the recording of a scene again, in the study's folder.
 
-    They print the scene, then record it. There are none if the command line cannot say what the
-    robot does.
+    They print the scene, then record it into a folder there. There are none if the command line
+    cannot say what the robot does.
     """
     record = record_command(rollouts)
     if record is None:
@@ -84,4 +94,4 @@ def record_commands(plan: BankPlan, rollouts: Rollouts) -> tuple[str, ...]:
     shown = ["studio", "scenes", scene.family, "--pattern", scene.pattern]
     shown += ["--seed", str(plan.seed), "--number", str(scene.number)]
     printed = f"{shlex.join(shown)} > {scene.name}.toml"
-    return printed, f"{record} --no-png --no-mp4 --out {FOLDER}"
+    return printed, f"{record} --no-png --no-mp4 --out {folder} --name {scene.name}"

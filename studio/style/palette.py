@@ -1,51 +1,82 @@
 """One palette for recordings, pictures and films.
 
-The seven action colours are told apart with every common form of colour blindness (they build on
-Okabe and Ito, "Color universal design", 2008). They, and those of teachers and learners, stand out
-from both a white and a near-black ground. Vermilion red is kept for contact and used for nothing
-else; people are grey.
+Whatever must be told apart in one picture differs by 15 or more in CIEDE2000, to normal sight and
+as protanopes, deuteranopes and tritanopes see it (simulated by Machado, Oliveira and Fernandes,
+"A physiologically-based model for simulation of color vision deficiency", 2009): actions, people,
+walls and contact, in both themes; teachers among one another; learners among one another; the two
+sides of a comparison. A search found the colours: it began with those of Okabe and Ito ("Color
+universal design", 2008) and moved them as little as that takes. All stand out from both a white
+and a near-black ground. Colour is never the only cue all the same: contact is a cross, walls are
+lines, and teachers and learners have pens with dashes and a marker of their own.
+
+Vermilion red is kept for contact and used for nothing else; people are grey.
 """
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Literal
 
 Colour = tuple[int, int, int]
 """Red, green, blue, each 0 to 255."""
 
+Marker = Literal[
+    "circle", "square", "triangle", "diamond", "triangle_down", "plus", "pentagon", "star"
+]
+"""The shape of a curve's points; a cross (×) is not among them, since it says contact."""
+
 ACTION_COLOURS: tuple[Colour, ...] = (
-    (0, 114, 178),  # blue
-    (86, 180, 233),  # sky blue
-    (140, 140, 140),  # grey
-    (0, 158, 115),  # bluish green
-    (230, 159, 0),  # orange
-    (170, 68, 153),  # purple
-    (136, 103, 53),  # brown
+    (23, 108, 253),  # blue
+    (81, 183, 240),  # sky blue
+    (99, 58, 151),  # indigo
+    (9, 153, 96),  # green
+    (233, 160, 1),  # orange
+    (165, 97, 150),  # mauve
+    (123, 62, 56),  # brown
 )
 """Colour of each action, in the order of a scene's actions; an eighth action begins anew."""
 
-TEACHER_COLOURS: dict[str, Colour] = {
-    "eu": (112, 112, 112),
-    "tk": (88, 76, 196),
-    "strong": (204, 102, 119),
+SIDE_COLOURS: tuple[Colour, Colour] = ((0, 110, 150), (233, 160, 1))
+"""Colours of A and B where two actions are compared without their names."""
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How the curve of a teacher or a learner is drawn: three cues, any two of which may go."""
+
+    colour: Colour
+    dashes: tuple[float, ...]  # lengths of dashes and gaps, in widths of the line; empty: solid
+    marker: Marker
+    filled: bool = True  # the inside of a marker; where not, it has the colour of the ground
+
+
+TEACHER_PENS: dict[str, Pen] = {
+    "eu": Pen((99, 100, 102), (), "circle"),  # grey
+    "tk": Pen((88, 75, 194), (6.0, 2.0), "square"),  # indigo
+    "strong": Pen((222, 118, 132), (2.0, 1.5), "triangle"),  # rose
 }
 
-LEARNER_COLOURS: dict[str, Colour] = {
-    "eu": (221, 139, 0),  # amber
-    "cpt": (0, 134, 120),  # teal
-    "cpt-tied": (64, 146, 222),  # azure
-    "cpt-reference": (122, 74, 160),  # violet
-    "cpt-tied-reference": (190, 80, 160),  # magenta
+LEARNER_PENS: dict[str, Pen] = {
+    "eu": Pen((225, 143, 3), (3.0, 1.5), "square", filled=False),  # amber
+    "cpt": Pen((33, 137, 114), (), "circle"),  # teal
+    "cpt-tied": Pen((63, 156, 255), (6.0, 1.4, 1.2, 1.4), "triangle"),  # azure
+    "cpt-reference": Pen((126, 54, 248), (1.2, 1.2), "diamond", filled=False),  # violet
+    "cpt-tied-reference": Pen((175, 118, 167), (8.0, 2.0), "triangle_down", filled=False),  # mauve
 }
 
-SLATE: Colour = (84, 110, 135)  # of all teachers that a user adds
-
-OTHER_LEARNERS: tuple[Colour, ...] = (
-    (121, 133, 30),  # olive
-    (136, 103, 53),  # brown
-    SLATE,
-    (0, 118, 158),  # cerulean
+OTHER_TEACHERS: tuple[Pen, ...] = (
+    Pen((118, 127, 185), (6.0, 1.4, 1.2, 1.4), "diamond"),  # periwinkle
+    Pen((39, 134, 82), (8.0, 2.0), "triangle_down"),  # fern
+    Pen((195, 169, 74), (1.2, 1.2), "pentagon"),  # sand
 )
-"""Colours of learners that a user adds; a learner's name decides which of them it has."""
+"""Pens of teachers that a user adds; a teacher's name decides which of them it has."""
+
+OTHER_LEARNERS: tuple[Pen, ...] = (
+    Pen((113, 116, 0), (4.0, 1.2, 1.2, 1.2, 1.2, 1.2), "plus"),  # olive
+    Pen((110, 80, 59), (2.0, 2.5), "pentagon"),  # brown
+    Pen((76, 80, 86), (8.0, 2.0, 1.2, 2.0), "star"),  # slate
+    Pen((0, 85, 134), (5.0, 3.0), "pentagon", filled=False),  # cerulean
+)
+"""Pens of learners that a user adds; a learner's name decides which of them it has."""
 
 
 @dataclass(frozen=True)
@@ -95,9 +126,9 @@ LIGHT = Theme(
     grid=(230, 231, 234),
     faint=(112, 116, 122),
     ink=(32, 35, 40),
-    wall=(62, 66, 72),
-    pedestrian=(120, 124, 130),
-    contact=(213, 43, 30),
+    wall=(42, 45, 50),
+    pedestrian=(156, 157, 159),
+    contact=(219, 44, 24),
 )
 
 DARK = Theme(
@@ -106,24 +137,32 @@ DARK = Theme(
     grid=(45, 49, 56),
     faint=(150, 155, 163),
     ink=(234, 236, 240),
-    wall=(176, 181, 189),
-    pedestrian=(138, 143, 151),
-    contact=(240, 72, 56),
+    wall=(205, 210, 216),
+    pedestrian=(153, 155, 155),
+    contact=(228, 52, 33),
 )
 
 THEMES = {"light": LIGHT, "dark": DARK}
 
 
+def teacher_pen(name: str) -> Pen:
+    """How a teacher's curve is drawn, which depends on nothing but the teacher's name."""
+    return _pen(name, TEACHER_PENS, OTHER_TEACHERS)
+
+
+def learner_pen(name: str) -> Pen:
+    """How a learner's curve is drawn, which depends on nothing but the learner's name."""
+    return _pen(name, LEARNER_PENS, OTHER_LEARNERS)
+
+
 def teacher_colour(name: str) -> Colour:
-    """The colour of a teacher; teachers without one of their own share a quiet one."""
-    return TEACHER_COLOURS.get(name, SLATE)
+    """The colour of a teacher's pen."""
+    return teacher_pen(name).colour
 
 
 def learner_colour(name: str) -> Colour:
-    """The colour of a learner, which depends on nothing but its name."""
-    if name in LEARNER_COLOURS:
-        return LEARNER_COLOURS[name]
-    return OTHER_LEARNERS[sum(name.encode()) % len(OTHER_LEARNERS)]
+    """The colour of a learner's pen."""
+    return learner_pen(name).colour
 
 
 def blend(colour: Colour, ground: Colour, opacity: float) -> Colour:
@@ -148,3 +187,8 @@ def _luminance(colour: Colour) -> float:
         for share in (channel / 255.0 for channel in colour)
     )
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def _pen(name: str, named: dict[str, Pen], others: tuple[Pen, ...]) -> Pen:
+    """The pen of this name, or one of the others; two of a user's names may share one."""
+    return named[name] if name in named else others[sum(name.encode()) % len(others)]

@@ -70,8 +70,10 @@ def estimate_told(value: float, low: float, high: float) -> str:
 
 
 def share_told(value: float, low: float, high: float) -> str:
-    """A share in percent with its 95 % interval: "12 % [6, 24]"."""
-    return f"{100.0 * value:.0f} % [{100.0 * low:.0f}, {100.0 * high:.0f}]"
+    """A share in percent with its 95 % interval: "12 % [6, 24]", or "0.9 % [0.7, 1.2]"."""
+    decimals = 0 if high - low >= 0.02 else 1
+    share, *ends = (rounded_number(100.0 * end, decimals, ".15g") for end in (value, low, high))
+    return f"{share} % [{ends[0]}, {ends[1]}]"
 
 
 def alternatives(names: Sequence[str]) -> str:
@@ -88,7 +90,7 @@ def listed(names: Sequence[str]) -> str:
 
 def counted(count: int, thing: str) -> str:
     """A count with the thing that is counted: "1 pair", "2 pairs"."""
-    return f"{count:,} {thing}" if count == 1 else f"{count:,} {thing}s"
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
 def contacts_told(touched: int, ended: int, count: int) -> str:

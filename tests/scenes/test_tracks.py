@@ -59,6 +59,17 @@ def test_who_stands_stays(recording) -> None:
     assert scene.pedestrians[0].velocity is None
 
 
+def test_the_true_walk_is_kept_from_the_moment_on(recording) -> None:
+    every = rows({1: walker(0.0, 0.0, 1.0, 0.25)})
+    folder = recording([row for row in every if not row.startswith("112 ")])
+    [person] = scene_from_tracks(folder, 100).pedestrians
+    assert person.track is not None
+    # a missing annotation lies between its neighbours
+    np.testing.assert_allclose(person.track[:4], [(0, 0), (0.4, 0.1), (0.8, 0.2), (1.2, 0.3)])
+    [later] = scene_from_tracks(folder, 106).pedestrians
+    assert later.track == person.track[1:]
+
+
 def test_groups_are_of_those_present(recording) -> None:
     people = {number: walker(float(number), 0.0, 0.0, 1.0) for number in (1, 2, 3, 5, 8)}
     folder = recording(people, groups_txt="2 9\n3 8 4 3\n\n 8 1\n1 5\n")

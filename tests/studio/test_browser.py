@@ -24,7 +24,7 @@ from studio.orchestrator import Studio
 from studio.painter.mp4 import write_mp4
 from studio.painter.segments import Segment
 from studio.scene.picture.film import compose_film
-from studio.style.palette import ACTION_COLOURS, LEARNER_COLOURS, LIGHT, Colour
+from studio.style.palette import ACTION_COLOURS, LIGHT, Colour, learner_colour
 from tests.headless import web_viewer
 
 PATIENCE = 60.0
@@ -250,7 +250,7 @@ def test_a_browser_shows_the_film_that_was_drawn(browser, tmp_path):
     ("kind", "colours"),
     [
         ("scene_recording", ACTION_COLOURS),
-        ("study_recording", [LEARNER_COLOURS["eu"], LEARNER_COLOURS["cpt"]]),
+        ("study_recording", [learner_colour("eu"), learner_colour("cpt")]),
     ],
 )
 def test_a_light_page_shows_a_recording(browser, kind, colours, request):

@@ -30,6 +30,7 @@ from studio.scene.picture.scenery import (
     draw_ground,
     draw_people_beyond,
     draw_scale_bar,
+    draw_true_walks,
     draw_walls,
     goal_label,
     view_of,
@@ -181,6 +182,7 @@ def lay_out_film(
     draw_heading_in_line(canvas, titles(rollouts), told, kind.heading, 0.0)
     inside = canvas.clipped(panel)
     draw_ground(inside, view)
+    draw_true_walks(inside, view, rollouts)
     draw_walls(inside, view, rollouts.scene)
     goal = draw_goal(inside, view, rollouts.scene.robot.goal)
     labels = [
@@ -244,10 +246,13 @@ def _draw_clock(
         told = f"a sample, {count} of {page.sample_of:,} rollouts, one of them in full"
     people = (rollouts.person_step >= 0).any()
     touched = ["× a person"] * bool(people) + ["□ a wall"] * bool(rollouts.wall_touched.any())
-    red = f"touched: {', '.join(touched)}" if touched else ""
+    marks = f"touched: {', '.join(touched)}" if touched else ""
+    is_real = any(person.track for person in rollouts.scene.pedestrians)
+    dashed = "dashed: true walks" if is_real else ""
     left = max(box.left + 9.5 * canvas.type.body, clock.right + size)
     room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
-    canvas.fit(at, joined((speed, told, red), (speed, told), (speed,)), room, size, faint)
+    wordings = joined((speed, told, marks, dashed), (speed, marks, dashed), (speed, told), (speed,))
+    canvas.fit(at, wordings, room, size, faint)
 
 
 class _Strip:

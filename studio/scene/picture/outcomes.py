@@ -1,6 +1,7 @@
 """The picture's table of outcomes: a row an action, with contacts and distributions of features."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,13 +22,13 @@ from studio.style.words import listed, share_told, signed
 
 _BINS = 24  # of a histogram
 _CONTACT, _FEATURE = 124, 104  # widths of the columns, in proportion
-_LOWEST, _HIGHEST = 19.0, 44.0  # rows, in units of the page
+_LOWEST, _HIGHEST = 16.0, 96.0  # rows, in units of the page
 
 
 def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
     """Draw the table in a box of a page."""
     unit, small = canvas.unit, canvas.type.small
-    lowest = max(_LOWEST * unit, 1.2 * canvas.type.body)
+    lowest = max(_LOWEST * unit, 1.05 * small)
     heights = lowest, max(_HIGHEST * unit, lowest)
     rows = ActionRows.fit(box, rollouts.names, head_height(canvas), 3.3 * small, heights)
     touched = {"person": rollouts.person_step >= 0}
@@ -42,8 +43,12 @@ def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
     rows.draw_lines(canvas)
     rows.draw_names(canvas, name)
     draw_head(canvas, name, ["Action"], [""], canvas.theme.ink, size)
-    for column, (thing, who) in zip(columns, touched.items(), strict=False):
-        _draw_contacts(canvas, column, rows, thing, who.sum(axis=1), rollouts.count, size)
+    counts, of = [who.sum(axis=1) for who in touched.values()], rollouts.count
+    words = _ContactWords.fit(canvas, rows, columns[0].width, counts, of)
+    for column, thing, number, told in zip(columns, touched, counts, words, strict=False):
+        below = [f"a {thing}, of {of:,} rollouts", f"a {thing}, of {of:,}", f"a {thing}"]
+        draw_head(canvas, column, ["Touched"], below, canvas.theme.ink, size)
+        _draw_contacts(canvas, column, rows, number, of, thing, told)
     features = columns[len(touched) :]
     most = [
         _draw_measure(canvas, column, rows, measure, worth, kinds, size)
@@ -79,42 +84,70 @@ def _notes(rollouts: Rollouts, most: Sequence[int]) -> list[str]:
     )
 
 
+@dataclass(frozen=True)
+class _ContactWords:
+    """In how many rollouts a kind of thing was touched, in words."""
+
+    counts: list[str]  # an action each; empty where there is no room for them
+    shares: list[str]  # an action each: the share with its interval, or the interval alone
+
+    @classmethod
+    def fit(
+        cls, canvas: Canvas, rows: ActionRows, width: float, touched: list[IntArray], count: int
+    ) -> "list[_ContactWords]":
+        """Words for several kinds of things, alike for all, that fit columns of a width, px."""
+        numbers = [[f"{number:,}" for number in own.tolist()] for own in touched]
+        shares = [[_share_told(number, count) for number in own.tolist()] for own in touched]
+        small, size = canvas.type.small, rows.type_size(canvas)
+        widest = max(canvas.measure(text, small) for own in shares for text in own)
+        counts = max(canvas.measure(text, size, SEMIBOLD) for own in numbers for text in own)
+        if counts + 6 * canvas.unit + widest > width:
+            if widest <= width:
+                numbers = [[""] * len(own) for own in numbers]
+            else:
+                shares = [[text.split(" % ")[1] for text in own] for own in shares]
+        return [cls(*own) for own in zip(numbers, shares, strict=True)]
+
+
+def _share_told(touched: int, count: int) -> str:
+    share = wilson(touched, count)
+    return share_told(share.value, share.low, share.high)
+
+
 def _draw_contacts(
     canvas: Canvas,
     column: Box,
     rows: ActionRows,
-    thing: str,
     touched: IntArray,
     count: int,
-    size: int,
+    thing: str,
+    words: _ContactWords,
 ) -> None:
     """Draw in how many rollouts a kind of thing was touched, with the interval of the share.
 
-    Below the count lies the share, on an axis from 0 to 100 %.
+    Below the words lies the share, on an axis from 0 to 100 %, where rows have room for it.
     """
-    unit, theme, small, body = canvas.unit, canvas.theme, canvas.type.small, canvas.type.body
-    below = [f"a {thing}, of {count:,} rollouts", f"a {thing}, of {count:,}", f"a {thing}"]
-    draw_head(canvas, column, ["Touched"], below, theme.ink, size)
+    unit, theme, small = canvas.unit, canvas.theme, canvas.type.small
     axis = Axis(0.0, 100.0, column.left, column.right)
-    shares = [wilson(number, count) for number in touched.tolist()]
-    told = [share_told(share.value, share.low, share.high) for share in shares]
-    room = column.width - canvas.measure(f"{int(touched.max()):,}", body, SEMIBOLD) - 6 * unit
-    if any(canvas.measure(text, small) > room for text in told):
-        told = [text.split(" % ")[1] for text in told]
-    cells = zip(rows.cells(column), touched.tolist(), shares, told, strict=False)
-    for cell, number, share, text in cells:
-        lane = cell.bottom - 4.5 * unit
-        middle = (cell.top + lane) / 2 - unit
-        low, high = 100.0 * share.low, 100.0 * share.high
+    cells = zip(rows.cells(column), touched.tolist(), words.counts, words.shares, strict=False)
+    has_lanes = rows.row >= 1.25 * small + 7 * unit
+    for cell, number, counted, text in cells:
+        share, lane = wilson(number, count), cell.bottom - 4.5 * unit
+        middle = (cell.top + lane) / 2 - unit if has_lanes else cell.centre[1]
         ink, weight = (theme.contact, SEMIBOLD) if number else (theme.faint, REGULAR)
-        canvas.fit((cell.left, middle), f"{number:,}", cell.width, body, ink, weight)
-        canvas.fit((cell.right, middle), [text, ""], room, small, theme.faint, anchor="right")
-        pen, line = max(1.0, 2 * unit), theme.contact if number else theme.faint
-        canvas.fill(Box(cell.left, lane, cell.right, lane + canvas.hair), theme.grid)
-        canvas.fill(Box(axis.at(low), lane - pen / 2, axis.at(high), lane + pen / 2), line)
-        if number:
-            _contact_mark(canvas, thing, (axis.at(100.0 * share.value), lane))
-    axis_with_ticks(canvas, axis, rows.floor, [0.0, 50.0, 100.0])
+        canvas.text((cell.left, middle), counted, rows.type_size(canvas), ink, weight)
+        room = column.width - canvas.measure(counted, rows.type_size(canvas), weight)
+        ink = ink if number and not counted else theme.faint
+        canvas.fit((cell.right, middle), [text, ""], room, small, ink, anchor="right")
+        if has_lanes:
+            ends = axis.at(100.0 * share.low), axis.at(100.0 * share.high)
+            pen, line = max(1.0, 2 * unit), theme.contact if number else theme.faint
+            canvas.fill(Box(cell.left, lane, cell.right, lane + canvas.hair), theme.grid)
+            canvas.fill(Box(ends[0], lane - pen / 2, ends[1], lane + pen / 2), line)
+            if number:
+                _contact_mark(canvas, thing, (axis.at(100.0 * share.value), lane))
+    if has_lanes:
+        axis_with_ticks(canvas, axis, rows.floor, [0.0, 50.0, 100.0])
 
 
 def _contact_mark(canvas: Canvas, thing: str, at: tuple[float, float]) -> None:

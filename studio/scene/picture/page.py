@@ -47,8 +47,10 @@ def compose_picture(
     body = Box(page.left, top, page.right, page.bottom)
     scene, worths, outcomes, minds = _parts(canvas, body, rollouts)
     view = draw_scene(canvas, scene, rollouts, judgements)
-    draw_utilities(canvas, worths, rollouts, judgements)
-    draw_outcomes(canvas, outcomes, rollouts)
+    end = draw_utilities(canvas, worths, rollouts, judgements)
+    # few actions need less room than there is
+    top = outcomes.top - worths.bottom + end
+    draw_outcomes(canvas, Box(outcomes.left, top, outcomes.right, outcomes.bottom), rollouts)
     _draw_minds(canvas, minds, rollouts, judgements)
     ink, faint = canvas.theme.ink, canvas.theme.faint
     lines = (
@@ -72,7 +74,9 @@ def _parts(canvas: Canvas, body: Box, rollouts: Rollouts) -> tuple[Box, Box, Box
         scene, worths, outcomes, minds = body.rows((1.15, 1.05, 0.95, 0.75), 0.6 * gap)
         return scene, worths, outcomes, minds
     left, right = body.columns((0.37, 0.63), gap)
-    worths, outcomes = right.rows((0.57, 0.43), 0.4 * gap)
+    # the more rows, the more room the lower table needs for them
+    share = 0.57 if len(rollouts.names) <= 8 else 0.545
+    worths, outcomes = right.rows((share, 1.0 - share), 0.4 * gap)
     x0, y0, x1, y1 = bounds_to_show(rollouts)
     # a long scene gets less
     height = left.width * (y1 - y0) / (x1 - x0) + caption_height(canvas, rollouts)

@@ -70,15 +70,19 @@ class ActionRows:
             at, faint = (self.box.left, self.floor - self.row / 2), canvas.theme.faint
             canvas.fit(at, wordings, self.box.width, canvas.type.small, faint)
 
+    def type_size(self, canvas: Canvas) -> int:
+        """Size of type in rows, which is small where they are low, px."""
+        return canvas.type.body if self.row >= 1.15 * canvas.type.body else canvas.type.small
+
     def name_width(self, canvas: Canvas) -> float:
         """Width of the column of names: of the longest name, but not much of the table, px."""
-        size, names = canvas.type.body, map(action_label, self.names)
+        size, names = self.type_size(canvas), map(action_label, self.names)
         widest = max(canvas.measure(name, size, SEMIBOLD) for name in names)
-        return min(widest + 21 * canvas.unit, 0.19 * self.box.width)
+        return min(widest + 21 * canvas.unit, 0.17 * self.box.width)
 
     def draw_names(self, canvas: Canvas, column: Box) -> None:
         """Name the actions, each beside a disc in its colour."""
-        unit, size = canvas.unit, canvas.type.body
+        unit, size = canvas.unit, self.type_size(canvas)
         for index, cell, colour in self.coloured(canvas, column):
             middle, left = cell.centre[1], cell.left + 20 * unit
             canvas.disc((cell.left + 6 * unit, middle), 6 * unit, colour)

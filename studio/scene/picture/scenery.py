@@ -11,10 +11,11 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
 from studio.painter.lettering import REGULAR
-from studio.painter.marks import cross, hollow_square
+from studio.painter.marks import cross, dashed_path, hollow_square
 from studio.painter.views import View
 from studio.scene.framing import beyond_edges, bounds_of_shape
 from studio.scene.groups import shortest_links
+from studio.scene.true_walks import true_walks
 from studio.style.palette import Colour, blend
 from studio.style.ticks import round_numbers, round_step
 
@@ -68,6 +69,14 @@ def draw_people(canvas: Canvas, view: View, people: FloatArray) -> None:
         canvas.disc(centre, radius + max(1.0, 1.5 * canvas.unit), canvas.theme.ground)
     for centre in view.to_pixels(people):
         canvas.disc(centre, radius, canvas.theme.pedestrian)
+
+
+def draw_true_walks(canvas: Canvas, view: View, rollouts: Rollouts) -> None:
+    """Draw where the people of a real crowd truly walked, dashed."""
+    for walk in true_walks(rollouts).swapaxes(0, 1):
+        known = walk[~np.isnan(walk[:, 0])]
+        if len(known) > 1:
+            dashed_path(canvas, view.to_pixels(known), canvas.theme.ink, 1.2 * canvas.unit)
 
 
 def draw_robot(canvas: Canvas, view: View, pose: FloatArray, colour: Colour) -> None:

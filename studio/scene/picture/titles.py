@@ -9,7 +9,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.framing import in_view
 from studio.scene.judgements import Judgement
-from studio.style.words import alternatives, counted, listed, short_label
+from studio.style.words import LONGEST_NAME, action_label, alternatives, counted, listed
 
 
 def titles(rollouts: Rollouts) -> list[str]:
@@ -19,9 +19,8 @@ def titles(rollouts: Rollouts) -> list[str]:
         place = scene.name.removesuffix(f"-{scene.number}").replace("_", " ")
         return [f"{place} · a real crowd at frame {scene.number}", scene.name]
     silent = (scene.name, "custom")  # words that would repeat the name, or say nothing
-    words = [word for word in (scene.family, scene.pattern) if word not in silent]
-    kind = [word.replace("_", " ") for word in words]
-    return [" · ".join([scene.name, *kind]), scene.name]
+    words = [scene.name, *(word for word in (scene.family, scene.pattern) if word not in silent)]
+    return [" · ".join(word.replace("_", " ") for word in words), scene.name]
 
 
 def subtitles(rollouts: Rollouts, bounds: Bounds) -> list[str]:
@@ -58,14 +57,20 @@ def findings(judgements: Sequence[Judgement], names: Sequence[str]) -> list[str]
         who = listed([judgement.label for judgement in those])
         if len(candidates) == 1:
             verb = "picks" if len(those) == 1 else "pick"
-            told.append(f"{who} {verb} {short_label(names[candidates[0]])}")
+            told.append(f"{who} {verb} {_brief(names[candidates[0]])}")
         elif len(candidates) < 4:
-            likely = [short_label(names[index]) for index in those[0].candidates]
+            likely = [_brief(names[index]) for index in those[0].candidates]
             told.append(f"{who}: {alternatives(likely)}, it is open which")
         else:
             told.append(f"{who}: open between {len(candidates)} of {len(names)} actions")
     brief = [part.replace(", it is open which", " (open)") for part in told]
     return [" · ".join(told), " · ".join(brief)]
+
+
+def _brief(name: str) -> str:
+    """The label of an action, cut in the middle if it is long: long names differ at their ends."""
+    label, kept = action_label(name), LONGEST_NAME // 2
+    return label if len(label) <= LONGEST_NAME else f"{label[:kept].rstrip()}…{label[-kept + 1 :]}"
 
 
 def draw_heading(

@@ -28,20 +28,25 @@ from studio.style.words import rounded_number
 
 _DOTS = 0.62  # share of a row's height that dots stand in, the rest is for the teachers' marks
 _SMALLEST_PITCH = 4.4  # from dot to dot, in units of the page
-_LOWEST, _HIGHEST = 26.0, 62.0  # rows, in units of the page
+_LEAST_PLOT = 0.2  # share of the figure's width that the dots have at least
+_LOWEST, _HIGHEST = 20.0, 130.0  # rows, in units of the page
 
 
 def draw_utilities(
     canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
-) -> None:
-    """Draw the figure in a box of a page; there may be any number of teachers, also none."""
+) -> float:
+    """Draw the figure in a box of a page; there may be any number of teachers, also none.
+
+    Returns where it ends, which is the end of the box or above it, px.
+    """
     small, unit, faint = canvas.type.small, canvas.unit, canvas.theme.faint
     bias = bias_told(judgements, rollouts.names, rollouts.count) if judgements else ""
-    lowest = max(_LOWEST * unit, 1.25 * canvas.type.body)
-    heights, footer = (lowest, max(_HIGHEST * unit, lowest)), (3.1 + 1.3 * bool(bias)) * small
+    footer, lowest = (3.1 + 1.3 * bool(bias)) * small, max(_LOWEST * unit, 1.05 * small)
+    heights = lowest, max(_HIGHEST * unit, lowest)
     rows = ActionRows.fit(box, rollouts.names, head_height(canvas), footer, heights)
-    gap, width = 14 * unit, _value_width(canvas, rows, judgements)
-    name_width = rows.name_width(canvas)
+    gap, name_width = 14 * unit, rows.name_width(canvas)
+    room = (1.0 - _LEAST_PLOT) * box.width - name_width - gap
+    width = min(_value_width(canvas, rows, judgements), room / max(len(judgements), 1) - gap)
     plot_width = box.width - name_width - gap - len(judgements) * (width + gap)
     names, plot, *values = box.columns((name_width, plot_width, *[width] * len(judgements)), gap)
     rows.draw_lines(canvas)
@@ -55,6 +60,7 @@ def draw_utilities(
     placed = canvas.fit(at, _notes(judgements), box.width, small, faint, line="top")
     at, brief = (box.left, placed.bottom + 0.2 * small), bias.partition(", held")[0]
     canvas.fit(at, [bias, brief], box.width, small, faint, line="top")
+    return rows.box.bottom
 
 
 def _has_two_lines(canvas: Canvas, rows: ActionRows) -> bool:
@@ -75,12 +81,12 @@ def _value_width(canvas: Canvas, rows: ActionRows, judgements: Sequence[Judgemen
     small, heading = canvas.type.small, canvas.type.heading
     widths = [0.0]
     for judgement in judgements:
-        widths.append(canvas.measure(judgement.label, heading, SEMIBOLD) + 1.1 * heading)
+        widths.append(canvas.measure(f"V {judgement.label}", heading, SEMIBOLD) + 1.2 * heading)
         for index in range(rows.shown):
             value, interval, brief = _told(judgement, index)
             told = interval if _has_two_lines(canvas, rows) else f"{value} {brief}"
-            widths.append(canvas.measure(told, small))
-    return max(widths) + 14 * canvas.unit
+            widths.append(canvas.measure(told, small) + 14 * canvas.unit)
+    return max(widths)
 
 
 _TITLES = [
@@ -94,9 +100,14 @@ def _legends(rollouts: Rollouts) -> list[str]:
     kinds, count = contact_kinds(rollouts), rollouts.count
     dots = len(QuantileDots.of(np.zeros(count), np.zeros(count, np.int64)).values)
     told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count:,} rollouts"
-    person = "×: touches a person" if (kinds == PERSON).any() else ""
-    wall = "□: touches a wall" if (kinds == WALL).any() else ""
-    return joined((told, person, wall), (told, person.replace("touches a ", ""), wall[:7]), (told,))
+    touched = [kind for kind in (PERSON, WALL) if (kinds == kind).any()]
+    long = {PERSON: "×: touches a person", WALL: "□: touches a wall"}
+    short = {PERSON: "× a person", WALL: "□ a wall"}
+    return joined(
+        (told, *(long[kind] for kind in touched)),
+        (told, *(short[kind] for kind in touched)),
+        (told,),
+    )
 
 
 def _notes(judgements: Sequence[Judgement]) -> list[str]:
@@ -203,12 +214,12 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             else:
                 canvas.rounded(pill.inset(max(1.0, 2 * unit)), 5 * unit, theme.ground)
         value, interval, brief = _told(judgement, index)
-        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 8 * unit
+        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 6 * unit
         if _has_two_lines(canvas, rows):
             at = (cell.centre[0], middle - 0.54 * small)
             canvas.fit(at, value, room, body, ink, weight, anchor="centre")
             at = (cell.centre[0], middle + 0.54 * body)
-            canvas.fit(at, interval, room, small, quiet, anchor="centre")
+            canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
             wordings = [f"{value} {interval}", f"{value} {brief}", value]
-            canvas.fit(cell.centre, wordings, room, small, ink, weight, anchor="centre")
+            canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")

@@ -25,6 +25,7 @@ from studio.scene.picture.scenery import (
     draw_people_beyond,
     draw_robot,
     draw_scale_bar,
+    draw_true_walks,
     draw_wall_contacts,
     draw_walls,
     goal_label,
@@ -32,6 +33,7 @@ from studio.scene.picture.scenery import (
     view_of,
 )
 from studio.scene.picture.titles import joined
+from studio.scene.true_walks import true_walks_told
 from studio.style.palette import blend
 from studio.style.words import action_label
 
@@ -54,6 +56,7 @@ def draw_scene(
     _draw_walks(inside, view, rollouts, pen)
     for paths, colour in zip(rollouts.robot, colours, strict=True):
         draw_faint_paths(inside, view.to_pixels(paths), colour, pen, opacity)
+    draw_true_walks(inside, view, rollouts)
     draw_walls(inside, view, scene)
     draw_groups(inside, view, scene, scene.starts)
     draw_people(inside, view, scene.starts)
@@ -142,4 +145,5 @@ def _captions(rollouts: Rollouts) -> list[list[str]]:
     others = joined(
         (walks, groups, contact), (walks, contact), (people, groups, contact), (people, contact)
     )
-    return [paths, others] if others[0] else [paths]
+    dashed = [f"Dashed: {told}" for told in true_walks_told(rollouts)]
+    return [lines for lines in (paths, others, dashed) if any(lines)]

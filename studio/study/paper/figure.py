@@ -11,7 +11,6 @@ table gives the same bytes.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +42,7 @@ from studio.study.paper.page import (
 )
 from studio.study.results import StudyResults
 from studio.study.words import NO_FITS, panel_titles, paper_caption, parameters_told
-from studio.style.palette import LEARNER_COLOURS, LIGHT, learner_colour
+from studio.style.palette import LIGHT, Marker, learner_pen
 from studio.style.places import spread_apart
 from studio.style.words import learner_name, number
 
@@ -51,25 +50,17 @@ _MARK = 3.2  # size of marks, pt
 _BAND = 0.17  # how opaque a band is
 
 
-@dataclass(frozen=True)
-class _Pen:
-    """What a learner's curve looks like apart from its colour."""
-
-    mark: str  # matplotlib's name of the mark
-    dashes: tuple[float, ...]  # lengths of dashes and gaps, in widths of the line; empty: no gaps
-    filled: bool  # whether marks are filled; the others are white inside
-
-
-_PENS = (
-    _Pen("s", (3.0, 1.5), filled=False),
-    _Pen("o", (), filled=True),
-    _Pen("^", (6.0, 1.4, 1.2, 1.4), filled=True),
-    _Pen("D", (1.2, 1.2), filled=False),
-    _Pen("v", (8.0, 2.0), filled=False),
-    _Pen("P", (4.0, 1.2, 1.2, 1.2, 1.2, 1.2), filled=True),
-    _Pen("X", (2.0, 2.5), filled=True),
-)
-"""Of the learners in `LEARNER_COLOURS`, then of a user's own."""
+_MARKS: dict[Marker, str] = {
+    "circle": "o",
+    "square": "s",
+    "triangle": "^",
+    "diamond": "D",
+    "triangle_down": "v",
+    "plus": "P",
+    "pentagon": "p",
+    "star": "*",
+}
+"""Matplotlib's names of the palette's markers."""
 
 
 def write_paper_figure(path: Path, results: StudyResults) -> str:
@@ -174,7 +165,7 @@ def _along(page: PaperPage, sizes: Sequence[int], ends: tuple[float, float]) -> 
 def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
     """Draw curves with the bands of their intervals; a single interval is a bar."""
     for curve in curves:
-        look = _look(curve.learner, page.results)
+        look = _look(curve.learner)
         low, high = page.up.along(curve.low), page.up.along(curve.high)
         if len(curve.pairs) == 1:
             axes.vlines(curve.pairs, low, high, color=look["color"], linewidth=0.8)
@@ -192,7 +183,7 @@ def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
     for curve in curves:
         places = _along(page, curve.pairs.tolist(), axes.get_xlim())
         marked = with_room(places, [_MARK] * len(places), 0.5 * _MARK)
-        look = _look(curve.learner, page.results)
+        look = _look(curve.learner)
         axes.plot(curve.pairs, page.up.along(curve.mean), markevery=marked, zorder=3, **look)
 
 
@@ -206,7 +197,7 @@ def _name_curves(figure: Figure, page: PaperPage, index: int, curves: Sequence[C
     start = page.left + page.across + PAD
     end = start + SAMPLE
     for y, (_, learner) in zip(heights, ends, strict=True):
-        look = _look(learner, page.results)
+        look = _look(learner)
         line = Line2D([start, (start + end) / 2.0, end], [y, y, y], **look)
         line.set(transform=points(figure), markevery=[1])
         figure.add_artist(line)
@@ -215,16 +206,15 @@ def _name_curves(figure: Figure, page: PaperPage, index: int, curves: Sequence[C
         write(figure, end + PAD, y, name, SMALL_TYPE, va="center_baseline")
 
 
-def _look(learner: str, results: StudyResults) -> dict[str, Any]:
+def _look(learner: str) -> dict[str, Any]:
     """What a learner's line looks like, as matplotlib's properties of lines."""
-    known = list(LEARNER_COLOURS)
-    order = [*known, *(name for name in results.learners if name not in known)]
-    pen, colour = _PENS[order.index(learner) % len(_PENS)], rgb(learner_colour(learner))
+    pen = learner_pen(learner)
+    colour = rgb(pen.colour)
     return {
         "color": colour,
         "linewidth": 1.0,
         "linestyle": (0, pen.dashes) if pen.dashes else "solid",
-        "marker": pen.mark,
+        "marker": _MARKS[pen.marker],
         "markersize": _MARK,
         "markeredgewidth": 0.7,
         "markerfacecolor": colour if pen.filled else rgb(LIGHT.ground),

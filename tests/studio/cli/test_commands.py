@@ -46,9 +46,9 @@ def test_pictures_and_films_can_be_left_out(tmp_path: Path) -> None:
 def test_a_printed_scene_can_be_edited_and_recorded(tmp_path: Path) -> None:
     printed = run("scenes", "doorway", "--seed", "3", "--pattern", "group_blocking")
     scene = load_scene("doorway", "group_blocking", seed=3)
-    assert scene_from_toml(printed.stdout) == replace(scene, name="doorway-3-0")
+    assert scene_from_toml(printed.stdout) == replace(scene, name="doorway-group_blocking-3-0")
     mine = tmp_path / "mine.toml"
-    mine.write_text(printed.stdout.replace('name = "doorway-3-0"', 'name = "mine"'))
+    mine.write_text(printed.stdout.replace('name = "doorway-group_blocking-3-0"', 'name = "mine"'))
     assert run("record", "--scene", mine, *QUICK, "--out", tmp_path).exit_code == 0
     assert (tmp_path / "mine.rrd").exists()
 
@@ -136,6 +136,9 @@ def test_sample_writes_the_bank(tmp_path: Path) -> None:
         ("record --scene open --engine warp", "'warp' is not one of 'batched'"),
         ("record --scene open --noise goal=-1", "noise goal: -1.0 is not allowed"),
         ("record", "Missing option '--scene'"),
+        ("record --scene open --name a/b", "--name: 'a/b' is not allowed: up to 200 letters"),
+        ("compare --scene open stop forward --name .x", "--name: '.x' is not allowed"),
+        ("learn --name a/b", "--name: 'a/b' is not allowed"),
         ("record --scene open --seed 99999999999999999999", "seed: 99999999999999999999 is not"),
         ("record --scene " + "x" * 5000, "neither a family"),
         ("scenes garden", "garden"),
@@ -195,6 +198,18 @@ def test_an_output_place_that_cannot_be_is_refused(command: str, tmp_path: Path)
     assert "--out: " in only_line(result)
     assert result.exit_code == 2
     assert (tmp_path / "file").read_text() == "mine"
+
+
+def test_files_are_named_by_a_person_and_replaced_by_force(tmp_path: Path) -> None:
+    record = ("record", *QUICK, "--out", tmp_path, "--name", "mine")
+    assert run(*record, "--scene", "open").exit_code == 0
+    before = (tmp_path / "mine.rrd").read_bytes()
+    result = run(*record, "--scene", "corridor")
+    assert "mine.rrd: is of another scene or other settings: --name" in only_line(result)
+    assert result.exit_code == 2
+    assert (tmp_path / "mine.rrd").read_bytes() == before
+    assert run(*record, "--scene", "corridor", "--force").exit_code == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.rrd"]
 
 
 def test_a_film_is_not_a_recording(tmp_path: Path) -> None:

@@ -1,10 +1,11 @@
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from scenes import load_scene, scene_to_toml
 from studio.errors import InputError
-from studio.scene.sources import Source, find_scene, numbered_scene
+from studio.scene.sources import Source, find_scene, numbered_scene, words_of
 
 
 def test_a_family_and_a_file_are_told_apart(tmp_path: Path) -> None:
@@ -31,4 +32,14 @@ def test_options_that_do_not_go_with_the_scene_are_refused(tmp_path: Path) -> No
 def test_a_numbered_scene_has_a_name_of_its_own() -> None:
     scene = numbered_scene("doorway", None, 2, 3)
     assert scene.name == "doorway-2-3"
+    assert numbered_scene("doorway", "mixed", 2, 3).name == "doorway-mixed-2-3"
     assert scene.pedestrians == load_scene("doorway", None, 2, 3).pedestrians
+
+
+def test_files_are_named_by_what_tells_a_scene_from_the_others_of_its_family() -> None:
+    assert words_of(load_scene("doorway"), 0) == ("doorway",)
+    assert words_of(load_scene("doorway", number=11), 0) == ("doorway", "11")
+    assert words_of(load_scene("doorway", "mixed", 2, 11), 2) == ("doorway", "mixed", "11", "seed2")
+    # a name of its own says which scene it is
+    assert words_of(numbered_scene("doorway", "mixed", 2, 11), 0) == ("doorway-mixed-2-11",)
+    assert words_of(replace(load_scene("doorway"), name="mine"), 5) == ("mine", "seed5")

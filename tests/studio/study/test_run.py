@@ -16,6 +16,7 @@ import studio.study.run
 from learners import FEATURES
 from scenes import Noise
 from scenes.bank import BankPlan, write_bank
+from studio.errors import InputError
 from studio.orchestrator import Studio
 from tests.command_line import run
 
@@ -79,9 +80,10 @@ def test_scenes_that_are_told_of_have_recordings_of_the_very_rollouts_of_the_ban
     assert {tmp_path / link for link in links} == set(learned.files[3:])
     assert sorted(set(links)) == sorted(f"scenes/{p.name}" for p in (tmp_path / "scenes").iterdir())
     for link in links:
-        family, seed, number = Path(link).stem.split("-")
+        family, *pattern, seed, number = Path(link).stem.split("-")
         rows = pq.read_table(bank, filters=[("scene", "=", int(number))])
         assert (family, seed) == (rows["family"][0].as_py(), "0")
+        assert {*pattern} <= {rows["pattern"][0].as_py()}
         recorded = outcomes_of(tmp_path / link)
         for feature in FEATURES:
             np.testing.assert_array_equal(recorded[feature], rows[feature])
@@ -266,3 +268,40 @@ def test_wrong_input_is_one_line_and_exit_code_2(
     assert result.stderr.count("\n") == 1
     assert says in result.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_fits_of_another_study_are_replaced_only_by_force(bank: Path, tmp_path: Path) -> None:
+    small: dict[str, Any] = {"teachers": ("eu",), "pairs": (10,), "seeds": 1}
+    studio, larger = Studio(tmp_path), small | {"seeds": 2}
+    studio.learn(bank, **small)
+    assert studio.learn(bank, **small).table.num_rows == 2  # the very same
+    assert studio.learn(bank, **larger).table.num_rows == 4  # has all of its fits, and more
+    before = pq.read_table(tmp_path / "learning.parquet")
+    other = tmp_path / "other.parquet"
+    write_bank(other, BankPlan(scenes=16, rollouts=4))
+    for bank_of, plan in ((bank, small), (bank, larger | {"pairs": (20,)}), (other, larger)):
+        with pytest.raises(InputError, match=r"learning.parquet: holds fits .* --force"):
+            studio.learn(bank_of, **plan)
+    assert pq.read_table(tmp_path / "learning.parquet").equals(before)
+    assert studio.learn(other, **small, name="mine").files[0].name == "mine.parquet"
+    assert (tmp_path / "mine-scenes").is_dir()
+    assert studio.learn(other, **small, force=True).table.num_rows == 2
+
+
+def test_what_another_study_has_finished_is_replaced_only_by_force(
+    bank: Path, tmp_path: Path
+) -> None:
+    table = Studio(tmp_path / "whole").learn(bank, **SMALL).table
+    pq.write_table(table, tmp_path / ".learning.unfinished.parquet")
+    with pytest.raises(InputError, match="holds what another study finished"):
+        Studio(tmp_path).learn(bank, **SMALL | {"pairs": (20,)})
+    assert Studio(tmp_path).learn(bank, **SMALL).table.equals(table)
+
+
+def test_a_bank_that_is_not_the_default_one_is_not_sampled_over(tmp_path: Path) -> None:
+    bank = tmp_path / "outcomes.parquet"
+    write_bank(bank, BankPlan(scenes=4, rollouts=2))
+    before = bank.read_bytes()
+    with pytest.raises(InputError, match=r"outcomes.parquet: is not the default bank"):
+        Studio(tmp_path).learn(pairs=(10,))
+    assert bank.read_bytes() == before

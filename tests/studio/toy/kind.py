@@ -2,19 +2,20 @@
 
 from dataclasses import dataclass
 
+import pyarrow as pa
 import rerun as rr
 
 from studio.painter.canvas import Canvas
 from studio.painter.segments import Segment
 from studio.recorder.contents import Contents
-from studio.recording import Excerpt, Look, Size
+from studio.recording import Excerpt, Look, Recording, Size
 
 APPLICATION, EDITION = "toy", 1
 SPAN = "frames of a toy"
 
 
 @dataclass(frozen=True)
-class ToyRecording:
+class ToyRecording(Recording):
     """A film that is as long as its recording says, one step darker from frame to frame."""
 
     length: int
@@ -35,6 +36,10 @@ class ToyRecording:
             Segment(1, lambda number=number: [self.frame(size, look, number).pixels])
             for number in frames
         ]
+
+    def to_arrow(self) -> pa.Table:
+        """One row a frame."""
+        return pa.table({"frame": range(self.length)})
 
     def frame(self, size: Size, look: Look, number: int) -> Canvas:
         canvas = Canvas(*size, look.colours)

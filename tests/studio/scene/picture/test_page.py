@@ -5,10 +5,11 @@ import cv2
 import numpy as np
 import pytest
 
+from learners import PROFILES
 from scenes import META_ACTIONS, MetaAction, Pedestrian, Robot, Scene, Wall, simulate
 from studio.errors import InputError
 from studio.scene.certainty import wilson
-from studio.scene.judgements import judge
+from studio.scene.judgements import judge, utilities
 from studio.scene.picture.film import lay_out_film, play_action
 from studio.scene.picture.page import compose_picture
 from studio.style.palette import LIGHT, THEMES
@@ -49,6 +50,25 @@ def foreign_names(count):
     )
 
 
+def a_real_crowd():
+    """Four people of a recording, who truly walked past their simulated selves."""
+    scene = a_scene("seq_square-1234")
+    people = tuple(
+        dataclasses.replace(person, track=tuple((x - 0.4 * step, y) for step in range(9)))
+        for person in scene.pedestrians
+        for x, y in [person.start]
+    )
+    return dataclasses.replace(
+        scene, pedestrians=people, family="tracks", pattern="recorded", number=1234
+    )
+
+
+def with_contacts(rollouts, person, wall=-1):
+    """The rollouts with a person and a wall touched at these steps of each."""
+    never = np.zeros_like(rollouts.person_step)
+    return dataclasses.replace(rollouts, person_step=never + person, wall_step=never + wall)
+
+
 CASES = {
     "default": lambda: some_rollouts(),
     "nobody": lambda: some_rollouts(a_scene(people=0, groups=())),
@@ -58,6 +78,9 @@ CASES = {
     "twelve actions": lambda: some_rollouts(a_scene(people=1, groups=()), foreign_names(12)),
     "far from the origin": lambda: some_rollouts(a_scene(origin=(700.0, -300.0))),
     "one step": lambda: some_rollouts(horizon=0.1),
+    "a real crowd": lambda: some_rollouts(a_real_crowd()),
+    "walls touched": lambda: with_contacts(some_rollouts(), 3, wall=2),
+    "a sample": lambda: some_rollouts(rollouts=3000, horizon=0.3).keep_paths(20),
     "many rollouts": lambda: some_rollouts(actions=long_names(7), rollouts=200, horizon=0.3),
 }
 
@@ -79,24 +102,32 @@ PAGES = [  # every size and theme with a few of the cases, every case on a few o
     ("far from the origin", (1600, 900), "light"),
     ("one step", (640, 360), "light"),
     ("one step", (1600, 900), "light"),
+    ("a real crowd", (640, 360), "light"),
+    ("a real crowd", (1280, 720), "dark"),
+    ("walls touched", (640, 360), "dark"),
+    ("walls touched", (1280, 720), "light"),
+    ("walls touched", (1080, 1350), "light"),
+    ("a sample", (640, 360), "light"),
+    ("a sample", (1280, 720), "light"),
     ("many rollouts", (640, 360), "light"),
     ("many rollouts", (1000, 1000), "light"),
 ]
 
 
+FOUR_TEACHERS = {**PROFILES, "a_teacher_with_a_name_of_its_own": PROFILES["tk"]}
+
+
 @functools.cache
 def the_case(name):
     rollouts = CASES[name]()
-    return rollouts, judge(rollouts)
+    profiles = FOUR_TEACHERS if name in ("twelve actions", "walls touched") else PROFILES
+    # as if there were as many more rollouts as a reference has
+    return rollouts, judge(rollouts, profiles, np.tile(utilities(rollouts), 3))
 
 
 @pytest.fixture(scope="module")
 def default():
     return the_case("default")
-
-
-def with_contacts(rollouts, step):
-    return dataclasses.replace(rollouts, person_step=np.full_like(rollouts.person_step, step))
 
 
 @pytest.mark.parametrize(("name", "size", "theme"), PAGES)
@@ -108,7 +139,7 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 
 @pytest.mark.parametrize(("name", "size", "theme"), PAGES)
 def test_texts_of_a_film_stay_on_the_page_and_off_one_another(name, size, theme):
-    rollouts, _ = the_case(name)
+    rollouts = the_case(name)[0].with_paths()
     page, last = lay_out_film(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
     for canvas in play_action(page, rollouts, last, np.array([0.0, rollouts.horizon])):
         check_texts(canvas)

@@ -13,7 +13,7 @@ from studio.study.picture.film import compose_study_film
 from studio.study.picture.page import compose_study_picture, draw_stage, lay_out_study
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
-from studio.style.palette import DARK, LEARNER_COLOURS, LIGHT, THEMES
+from studio.style.palette import DARK, LIGHT, THEMES, learner_colour
 from tests.canvases import check_texts, texts
 from tests.studio.study.tables import THREE, study_of, study_table
 
@@ -88,10 +88,10 @@ def test_the_png_has_the_size_asked_for_and_shows_something(tmp_path, size):
 def test_every_learner_has_its_colour_and_none_that_of_contact():
     pixels = compose_study_picture(study_of(learners=("eu", "cpt", "cpt-tied"))).pixels
     for learner in ("eu", "cpt", "cpt-tied"):
-        assert has_colour(pixels, LEARNER_COLOURS[learner])
+        assert has_colour(pixels, learner_colour(learner))
     assert not has_colour(pixels, LIGHT.contact)
     assert not has_colour(
-        compose_study_picture(study_of(learners=("eu",))).pixels, LEARNER_COLOURS["cpt"]
+        compose_study_picture(study_of(learners=("eu",))).pixels, learner_colour("cpt")
     )
 
 

@@ -1,0 +1,1 @@
+"""What the orchestrator gives back, and how it shows itself in a notebook."""
