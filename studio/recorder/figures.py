@@ -13,7 +13,7 @@ import rerun as rr
 import rerun.blueprint as rrb
 from numpy.typing import NDArray
 
-from studio.arrays import PixelArray
+from studio.arrays import Bounds, PixelArray
 from studio.style.palette import LIGHT
 
 _MOST_COLOURS = 256  # of an image with a palette
@@ -36,14 +36,14 @@ def log_figure(
     stream.log(path, image, static=static)
 
 
-def painted_view(path: str, size: tuple[int, int], title: str) -> rrb.View:
-    """A view of a figure of this width and height (px), and of all that lies below its path."""
-    width, height = size
+def painted_view(path: str, title: str, window: Bounds | None = None) -> rrb.View:
+    """A view of a figure, or of a part of it (px, y down), and of all that lies below its path."""
+    bounds = None
+    if window:
+        x0, y0, x1, y1 = window
+        bounds = rrb.VisualBounds2D(x_range=[x0, x1], y_range=[y0, y1])
     return rrb.Spatial2DView(
-        origin=f"/{path}",
-        name=title,
-        background=LIGHT.ground,
-        visual_bounds=rrb.VisualBounds2D(x_range=[0.0, width], y_range=[0.0, height]),
+        origin=f"/{path}", name=title, background=LIGHT.ground, visual_bounds=bounds
     )
 
 
