@@ -50,7 +50,7 @@ def recorded_report(recorded: Recorded) -> list[str]:
     labels = [action_label(name) for name in rollouts.names]
     width = max(16, *(len(label) + 2 for label in labels))
     people, walls = rollouts.people_touched > 0, rollouts.wall_touched
-    lines = [f"{'contact with':<{width}}{'people':>8}{'walls':>8}  either, of {rollouts.count:,}"]
+    lines = [f"{'contact with':<{width}}{'people':>8}{'walls':>8}  either, of {rollouts.count}"]
     for index, label in enumerate(labels):
         counts = "".join(f"{each[index].sum():>8}" for each in (people, walls))
         lines.append(f"{label:<{width}}{counts}  {contact_told(rollouts, index)}")

@@ -36,7 +36,7 @@ def draws_told(judgements: Sequence[Judgement], count: int) -> str:
     """Where the intervals and shares of judgements from `count` rollouts come from."""
     held_against = judgements[0].reference
     source = held_against.rollouts if held_against else count
-    drawn = f"{RESAMPLES:,} draws of {counted(count, 'rollout')} from {source:,}"
+    drawn = f"{RESAMPLES} draws of {counted(count, 'rollout')} from {source}"
     return f"In brackets: what 95 % of {drawn} give. A pick is picked in 95 % of them."
 
 

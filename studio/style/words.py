@@ -90,7 +90,7 @@ def listed(names: Sequence[str]) -> str:
 
 def counted(count: int, thing: str) -> str:
     """A count with the thing that is counted: "1 pair", "2 pairs"."""
-    return f"{count:,} {thing}" if count == 1 else f"{count:,} {thing}s"
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
 def contacts_told(touched: int, ended: int, count: int) -> str:
