@@ -1,3 +1,4 @@
+import cv2
 import numpy as np
 import pytest
 
@@ -7,7 +8,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.scene.measures import NOTHING, PERSON, WALL
 from studio.style.palette import LIGHT
-from tests.canvases import holds, red_pixels
+from tests.canvases import a_canvas, holds, red_pixels
 from tests.studio.comparison.made_up import a_comparison
 
 BLUE = (0, 0, 200)
@@ -39,6 +40,14 @@ def test_icons_fill_up_from_both_ends_and_have_room(count):
         assert red == [index < people for index in range(count)]
         assert squares == walls
         assert waiting == [people + walls <= index < count - others for index in range(count)]
+
+
+@pytest.mark.parametrize("width", [200.0, 500.0])
+def test_each_of_many_contacts_can_be_counted(width):
+    array, canvas = IconArray.fit(Box(10.0, 10.0, 10.0 + width, 50.0), 50, 22.0), a_canvas()
+    array.draw(canvas, 30, 20, 0, BLUE)
+    reds = (canvas.pixels == LIGHT.contact).all(axis=-1).astype(np.uint8)
+    assert cv2.connectedComponents(reds)[0] - 1 == 50
 
 
 def test_very_many_icons_become_a_bar_that_fills_from_both_ends():
