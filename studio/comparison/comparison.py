@@ -8,7 +8,7 @@ import numpy as np
 
 from scenes import MetaAction, Rollouts
 from scenes.errors import LARGEST_SEED
-from studio.arrays import FloatArray
+from studio.arrays import FloatArray, IntArray
 from studio.errors import InputError
 from studio.scene.selection import only, places_of
 from studio.style.palette import Theme
@@ -123,6 +123,15 @@ def _shuffled(names: list[str], seed: int) -> list[str]:
     entropy = [seed, len(names[0].encode()), *"".join(names).encode()]
     generator = np.random.Generator(np.random.Philox(np.random.SeedSequence(entropy)))
     return [names[index] for index in generator.permutation(2)]
+
+
+def ended_after(rollouts: Rollouts) -> IntArray:
+    """How many of K outcomes have ended once 0, 1 to M of those with paths have played, [M + 1].
+
+    Where there are more outcomes than paths, several are counted with each that plays.
+    """
+    ended: IntArray = np.arange(rollouts.paths + 1) * rollouts.count // rollouts.paths
+    return ended
 
 
 @dataclass(frozen=True)

@@ -203,3 +203,16 @@ class DotScale:
         row, column = divmod(number, self.abreast)
         across = (index + 0.5) * self.width + (column - (self.abreast - 1) / 2) * self.pitch
         return across, (row + 0.5) * self.pitch
+
+    def middles(self, side: int, dots: Dots) -> FloatArray:
+        """Middles of the dots of an action once all are there, [N, 2].
+
+        In a stack contacts lie lowest, and what arrives later lies higher.
+        """
+        middles: FloatArray = np.empty((len(dots.values), 2))
+        order, landed = np.lexsort((dots.arrivals, dots.kinds)), [0] * BINS
+        for place in order.tolist():
+            index = int(self.bins[side][place])
+            middles[place] = self.middle(index, landed[index])
+            landed[index] += 1
+        return middles

@@ -58,6 +58,11 @@ class Judgement:
     resampled: FloatArray
     reference: Reference | None = None
 
+    def __repr__(self) -> str:
+        # arrays would fill pages
+        values = ", ".join(f"{value:.3f}" for value in self.values)
+        return f"<Judgement of {self.label}: V = {values}>"
+
     @property
     def label(self) -> str:
         """What people call the teacher."""

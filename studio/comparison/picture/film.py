@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from studio.arrays import FloatArray, IntArray, PixelArray
+from studio.arrays import IntArray, PixelArray
 from studio.comparison.comparison import CLOSING, OPENING, Comparison, Timetable
 from studio.comparison.picture.page import (
     ComparisonPage,
@@ -182,8 +182,8 @@ def replay(page: ComparisonPage, pace: Pace, telling: TellingOutcome) -> Iterato
 
 def _steps(last: int, frames: int) -> list[float]:
     """The steps that are shown in as many frames, but for the last one."""
-    steps: FloatArray = np.linspace(0.0, last, frames + 1)[1:-1]
-    return steps.tolist()
+    steps: list[float] = np.linspace(0.0, last, frames + 1)[1:-1].tolist()
+    return steps
 
 
 def _marks(page: ComparisonPage) -> list[str]:

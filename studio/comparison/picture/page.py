@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from scenes import Rollouts
-from studio.comparison.comparison import QUESTION, SIDES, Comparison
+from studio.comparison.comparison import QUESTION, SIDES, Comparison, ended_after
 from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis
 from studio.comparison.picture.scene import OutcomeScene
@@ -93,10 +93,6 @@ class ComparisonPage:
     icons: tuple[IconArray, ...]
     counts: tuple[Box, ...]  # where the number of contacts is told
     plots: tuple[Plot, ...]  # one a measure
-
-    def ended(self, paths: int) -> int:
-        """How many of the K outcomes are counted when `paths` of the sample have been shown."""
-        return paths * self.rollouts.count // self.sample.count
 
 
 def lay_out_comparison(
@@ -242,12 +238,12 @@ class Show:
             ]
             for side in range(len(SIDES))
         ]
-        self._counts = [("", "")] * len(SIDES)
+        self._counts: list[tuple[str, Sequence[str]]] = [("", ())] * len(SIDES)
 
     def keep(self, paths: int) -> None:
         """Leave the first `paths` of the sample behind, and count what has come to its end."""
         canvas, page = self.canvas, self._page
-        ended, total = page.ended(paths), page.rollouts.count
+        ended, total = int(ended_after(page.rollouts)[paths]), page.rollouts.count
         for side, colour in enumerate(self._colours):
             self._scenes[side].keep(paths)
             kinds = self._kinds[side, :ended]
@@ -255,7 +251,7 @@ class Show:
             page.icons[side].draw(canvas, people, walls, ended - people - walls, colour)
             for plot in self._plots[side]:
                 plot.draw(canvas, ended, colour)
-            detail = contacts_in_detail(people, walls, total) if ended == total else ""
+            detail = contacts_in_detail(people, walls, total) if ended == total else ()
             self._counts[side] = contacts_told(people + walls, ended, total), detail
 
     def write(self, legends: Legends, notes: Sequence[str] = ("", "")) -> None:

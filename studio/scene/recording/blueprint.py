@@ -85,7 +85,7 @@ def action_tab(
     """One action: its world, how its outcomes are distributed, and every single one of them."""
     name = rollouts.names[index]
     paths = counted(rollouts.paths, "rollout")
-    sample = "" if rollouts.paths == rollouts.count else f" of {rollouts.count:,}"
+    sample = "" if rollouts.paths == rollouts.count else f" of {rollouts.count}"
     title = f"{short_label(name)}: {paths}{sample} (bar: {scale_length(bounds):g} m)"
     plots = [
         bars_view(

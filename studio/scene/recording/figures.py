@@ -50,7 +50,7 @@ def window_on(drawn: DrawnUtilities, index: int) -> Bounds:
     return 0.0, middle - WINDOW, right, middle + WINDOW
 
 
-def log_dots(
+def log_dots_that_answer(
     stream: rr.RecordingStream, rollouts: Rollouts, drawn: DrawnUtilities, theme: Theme
 ) -> None:
     """Let dots that stand for one rollout answer, and put rings around those of each in turn."""

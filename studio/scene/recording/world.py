@@ -42,7 +42,7 @@ def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> No
         centers=centres,
         half_sizes=np.stack([radii, radii], axis=-1),
         colors=theme.ink,
-        line_radii=rr.Radius.ui_points([0.8, 1.2, 1.2]),
+        line_radii=rr.Radius.ui_points(1.0),
         draw_order=22.0,
     )
     told = rr.AnyValues(told=["the robot's start", "its goal", "its goal"])

@@ -22,7 +22,12 @@ from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities
 from studio.scene.recording.actions import log_action
 from studio.scene.recording.blueprint import VIEW_SHAPE, recording_blueprint
-from studio.scene.recording.figures import log_dots, paint_minds, paint_utilities, window_on
+from studio.scene.recording.figures import (
+    log_dots_that_answer,
+    paint_minds,
+    paint_utilities,
+    window_on,
+)
 from studio.scene.recording.outcomes import (
     gap_range,
     log_actions,
@@ -67,7 +72,7 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
         if rollouts.scene.pedestrians:
             log_gaps(stream, rollouts, gap, theme)
         log_figure(stream, entities.UTILITIES, worths)
-        log_dots(stream, rollouts, drawn, theme)
+        log_dots_that_answer(stream, rollouts, drawn, theme)
         log_figure(stream, entities.MINDS, paint_minds(rollouts, judgements, theme))
         log_page(stream, entities.SUMMARY, scene_summary(rollouts, judgements))
         log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
