@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from scenes import META_ACTIONS, Pedestrian, Robot, Scene, load_scene, simulate
-from studio.comparison.comparison import QUESTION, side_by_side
+from studio.comparison.comparison import QUESTION, ended_after, side_by_side
 from studio.comparison.picture.page import compose_comparison_picture, lay_out_comparison
 from studio.scene.framing import comes_near, in_view
 from studio.style.palette import DARK, LIGHT, SIDE_COLOURS
@@ -92,7 +92,7 @@ def test_where_there_are_many_outcomes_a_sample_of_paths_is_shown_and_said_so():
     few = replace(many, rollouts=many.rollouts.keep_paths(20))
     page = lay_out_comparison(few, (1280, 720))
     assert page.sample.count == 20
-    assert [page.ended(paths) for paths in (0, 10, 20)] == [0, 30, 60]
+    assert ended_after(page.rollouts)[[0, 10, 20]].tolist() == [0, 30, 60]
     told = texts(compose_comparison_picture(few, (1280, 720)))
     assert any("a sample of 20" in text for text in told)
     assert any("50 dots: 60 outcomes" in text for text in told)
