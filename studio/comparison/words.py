@@ -26,7 +26,7 @@ def contacts_in_detail(people: int, walls: int, count: int) -> list[str]:
     return [f"{told} · {', '.join(parts)}", f"{told} · {', '.join(brief)}", told]
 
 
-def people_told(scene: Scene, bounds: Bounds) -> str:
+def crowd_told(scene: Scene, bounds: Bounds) -> str:
     """How many people there are, and how many of them a view with these bounds shows at the start.
 
     Empty if there is nobody.

@@ -164,6 +164,7 @@ def replay(page: ComparisonPage, pace: Pace, telling: TellingOutcome) -> Iterato
     """
     show, rollouts = Show(page), page.sample
     show.keep(rollouts.count)
+    show.fade()
     shown = " shown" if rollouts.count < page.rollouts.count else ""
     notes = [
         f"{telling.name} outcome: no. {place + 1} of {rollouts.count}{shown}"

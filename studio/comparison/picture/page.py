@@ -14,7 +14,7 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison, ended_afte
 from studio.comparison.dots import DotMeasure, DotScale, dot_measures
 from studio.comparison.picture.dots import DotPlot, IconArray, draw_dot_axis
 from studio.comparison.picture.scene import OutcomeScene
-from studio.comparison.words import contacts_in_detail, dots_told, marks_told, people_told
+from studio.comparison.words import contacts_in_detail, crowd_told, dots_told, marks_told
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import label_boxes
@@ -144,7 +144,7 @@ def lay_out_comparison(
 def _draw_title(canvas: Canvas, rollouts: Rollouts, view: View) -> None:
     """Ask the question, and say what is seen, along the top of the page."""
     outcomes = f"{counted(rollouts.count, 'outcome')} of each, the next {rollouts.horizon:g} s"
-    people = people_told(rollouts.scene, view.bounds)
+    people = crowd_told(rollouts.scene, view.bounds)
     luck = "same people and same luck on both sides"
     told = joined(
         (rollouts.scene.name, outcomes, people, luck),
@@ -280,6 +280,11 @@ class Show:
         """Draw both scenes with everybody where the scene has them at the start."""
         for scene in self._scenes:
             scene.draw_at_rest()
+
+    def fade(self) -> None:
+        """Let the paths that were left behind step back, for one outcome to be seen before them."""
+        for scene in self._scenes:
+            scene.fade()
 
     def draw_outcomes(self, outcomes: Sequence[int], step: float) -> None:
         """Draw both scenes, each with one outcome of its own at a step."""

@@ -6,6 +6,7 @@ ones visible and the area between them empty (Padilla et al., "Effects of ensemb
 displays on interpretations of geospatial uncertainty data", Cognitive Research 2017).
 """
 
+import cv2
 import numpy as np
 
 from scenes import Rollouts
@@ -27,6 +28,7 @@ from studio.scene.picture.scenery import (
 from studio.style.palette import Colour
 
 _FILM_FRINGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
+_FADED = 0.4  # how opaque paths are that have stepped back
 _MARK_OF_ONE = 5.5  # radius of the mark of contact of the outcome that plays, in units of the page
 
 
@@ -71,6 +73,10 @@ class OutcomeScene:
             [touching] = np.nonzero(steps[:count] >= 0)
             draw(canvas, self._view, self._poses[touching, steps[touching]])
         self._layer = canvas.pixels.copy()
+
+    def fade(self) -> None:
+        """Let what was left behind step back, for one outcome to be seen before it."""
+        cv2.addWeighted(self._layer, _FADED, self._ground, 1.0 - _FADED, 0.0, dst=self._layer)
 
     def draw_at_rest(self) -> None:
         """Draw what was left behind, and everybody where the scene has them at the start."""

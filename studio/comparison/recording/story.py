@@ -20,7 +20,7 @@ from studio.recorder.figures import log_figure
 from studio.scene.measures import NOTHING, PERSON, contact_kinds
 from studio.scene.recording.actions import MARK_REACH, class_over_time
 from studio.scene.recording.moving import CROSS, SQUARE, path_corners, rounded
-from studio.scene.recording.shown import WAY_STRIDE, Moments, log_looks, log_people, log_robot
+from studio.scene.recording.shown import WAY_STRIDE, Moments, log_bystanders, log_looks, log_robot
 from studio.style.palette import Theme, blend
 
 POSES = 20  # of an outcome that are shown after its first; more would pass too fast to see
@@ -59,7 +59,7 @@ class Marks:
         stream.send_columns(path, [when], columns.partition(counts))
 
 
-def log_contacts(
+def log_contact_marks(
     stream: rr.RecordingStream,
     path: str,
     points: Marks,
@@ -88,7 +88,7 @@ def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: 
     log_looks(stream, path, colour, theme)
     log_robot(stream, f"{path}/robot", moments, sample, side, classes, told)
     if sample.scene.pedestrians:
-        log_people(stream, f"{path}/people", moments, sample.pedestrians[side], told)
+        log_bystanders(stream, f"{path}/people", moments, sample.pedestrians[side], told)
     arrivals, robot = ended_after(rollouts)[1:], rounded(sample.robot[side, ..., :2])
     look = rr.LineStrips2D.from_fields(
         colors=blend(colour, theme.panel, 0.45), radii=rr.Radius.ui_points(PATH)
@@ -98,10 +98,12 @@ def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: 
     places = robot[np.arange(sample.count), np.maximum(sample.contact_step[side], 0)]
     kinds = contact_kinds(sample)[side]
     points = Marks(places, arrivals, told)
-    log_contacts(stream, path, points, kinds, MARK_REACH, rollouts, theme)
+    log_contact_marks(stream, path, points, kinds, MARK_REACH, rollouts, theme)
 
 
-def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
+def log_figure_of_dots(
+    stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
+) -> None:
     """Draw the axes of one side, let its icons and dots gather, and say what has come so far."""
     path, colour = entities.dots(rollouts.names[side]), theme.action_colour(rollouts.names[side])
     pixels, parts = paint_dots(rollouts, side, theme)
@@ -113,7 +115,7 @@ def log_dots(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: T
         # half of it, since the figure is drawn at twice the size
         look = rr.Points2D.from_fields(colors=colour, radii=rr.Radius.ui_points(part.radius / 2))
         marks.log(stream, at, look, rollouts, dots.kinds == NOTHING)
-        log_contacts(stream, at, marks, dots.kinds, 0.9 * part.radius, rollouts, theme)
+        log_contact_marks(stream, at, marks, dots.kinds, 0.9 * part.radius, rollouts, theme)
     said, table = playing_told(rollouts, side), Timetable.of(rollouts.paths, rollouts.horizon)
     times = np.append(0.0, np.stack([table.starts, table.ends], axis=-1).ravel())
     pages = rr.TextDocument.columns(text=said, media_type=[rr.MediaType.MARKDOWN] * len(said))

@@ -18,8 +18,8 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.picture.figure import FIGURE_SIZE
 from studio.comparison.recording import entities
 from studio.comparison.recording.page import comparison_page
-from studio.comparison.recording.story import log_dots, log_story
-from studio.comparison.words import people_told
+from studio.comparison.recording.story import log_figure_of_dots, log_story
+from studio.comparison.words import crowd_told
 from studio.recorder.figures import painted_view
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.plots import bars_view, table_view
@@ -64,7 +64,7 @@ def write_comparison_recording(
         stream.send_property("comparison", rr.AnyValues(**sides))
         for side in range(len(SIDES)):
             log_story(stream, rollouts, side, theme)
-            log_dots(stream, rollouts, side, theme)
+            log_figure_of_dots(stream, rollouts, side, theme)
         log_page(stream, of_scene.ABOUT, comparison_page(comparison, judgements))
 
 
@@ -91,7 +91,7 @@ def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb
 
 def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """The outcomes of one side's action, one at a time, and below them the dots."""
-    told = people_told(rollouts.scene, bounds) or "nobody"
+    told = crowd_told(rollouts.scene, bounds) or "nobody"
     title_of_world = f"{title}: the robot, {told} (bar: {scale_length(bounds):g} m)"
     dots, many = entities.dots(name), counted(rollouts.count, "outcome")
     return rrb.Vertical(
