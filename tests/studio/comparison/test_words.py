@@ -1,7 +1,7 @@
 import pytest
 
 from scenes import Pedestrian, Robot, Scene
-from studio.comparison.words import contacts_in_detail, dots_told, people_told
+from studio.comparison.words import contacts_in_detail, dots_told, crowd_told
 
 
 def test_contacts_are_told_with_their_share_and_interval_and_people_apart_from_walls():
@@ -25,7 +25,7 @@ def test_contacts_are_told_with_their_share_and_interval_and_people_apart_from_w
 def test_people_in_view_and_out_of_it_are_counted(starts, told):
     people = tuple(Pedestrian(start, (5.0, 5.0)) for start in starts)
     scene = Scene("a-scene", Robot((0.0, 0.0), (5.0, 0.0)), people)
-    assert people_told(scene, (0.0, 0.0, 1.0, 1.0)) == told
+    assert crowd_told(scene, (0.0, 0.0, 1.0, 1.0)) == told
 
 
 def test_a_dot_stands_for_one_outcome_unless_there_are_many():
