@@ -1,7 +1,7 @@
 import pytest
 
 from scenes import Pedestrian, Robot, Scene
-from studio.comparison.words import contacts_in_detail, dots_told, crowd_told
+from studio.comparison.words import contacts_in_detail, crowd_told, dots_told
 
 
 def test_contacts_are_told_with_their_share_and_interval_and_people_apart_from_walls():
