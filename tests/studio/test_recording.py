@@ -109,7 +109,7 @@ def test_some_actions_keep_the_colours_that_they_have_among_all(
     assert shown == [False, False, True, True, False, False, False]
     recording = read_recording(folder / "doorway.rrd")
     texts = [placed.text for placed in recording.still(Look(), Excerpt(("stop",))).texts]
-    assert texts.count("stop") == 2 + 3  # at its path, in the table, and as the pick of all three
+    assert texts.count("stop") == 3 + 3  # at its path, in two tables, and as the pick of all three
     assert "turn left" not in texts
 
 
@@ -119,9 +119,9 @@ def test_a_film_can_be_cut_to_a_span_of_simulated_time(folder: Path, tmp_path: P
         assert render(folder / "doorway.rrd", "--mp4", path, *QUICK, *options).exit_code == 0
         return len(frames_of(path))
 
-    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 2.5 s
-    assert whole == 11 + 5 + 25
-    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 25
+    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 6 s
+    assert whole == 11 + 5 + 60
+    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 60
     assert frames("--actions", "stop", "--from", "0.2", "--to", "0.7") == 6 + 5
 
 
