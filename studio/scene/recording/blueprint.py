@@ -14,13 +14,13 @@ from studio.scene.framing import bounds_to_show
 from studio.scene.recording import entities
 from studio.scene.recording.outcomes import measured
 from studio.scene.recording.world import scale_length
-from studio.style.words import counted, short_label
+from studio.style.words import action_label, counted, short, short_label
 
 VIEW_SHAPE = (16, 9)
 """Width to height of views of the world on a common screen."""
 
 OVERVIEW, TITLE_HEIGHT = (700.0, 620.0), 28.0  # room for all worlds, and a view's title, px
-MOST_COLUMNS = 3  # of worlds; in more there is no room for their titles
+MOST_COLUMNS, LONGEST_TITLE = 3, 13  # of worlds, and of their titles, for which there is room
 
 
 def recording_blueprint(
@@ -53,7 +53,7 @@ def scene_overview(rollouts: Rollouts) -> rrb.Container:
         world_view(
             [f"{entities.action(name)}/**", f"- {entities.pedestrians(name)}"],
             bounds,
-            short_label(name),
+            short(action_label(name), LONGEST_TITLE),
         )
         for name in rollouts.names
     ]
