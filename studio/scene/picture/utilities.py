@@ -5,6 +5,7 @@ dots a mark for each teacher at the utility that, for sure, would be worth as mu
 the action: the certainty equivalent of its value V. At the right stands V itself.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,12 +17,12 @@ from studio.painter.axes import Axis, axis_with_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.painter.marks import cross, draw_shape, hollow_square
+from studio.painter.marks import cross, hollow_square
+from studio.painter.pens import pen_mark
 from studio.painter.quantile_dots import DotStacks, QuantileDots
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.measures import PERSON, WALL, contact_kinds
 from studio.scene.picture.rows import ActionRows, draw_head, head_height
-from studio.scene.picture.teachers import teacher_shape
 from studio.scene.picture.titles import joined
 from studio.scene.words import bias_told
 from studio.style.palette import Colour
@@ -80,8 +81,16 @@ def _told(judgement: Judgement, index: int) -> tuple[str, str, str]:
     """The value V of an action, its interval, and its interval in brief."""
     numbers = [float(each[index]) for each in (judgement.values, judgement.low, judgement.high)]
     value, low, high = (rounded_number(each, 3, ".3f") for each in numbers)
-    ends = (rounded_number(each, 2, ".2f").replace("0.", ".", 1) for each in numbers[1:])
+    ends = (re.sub("^(−?)0", r"\1", rounded_number(each, 2, ".2f")) for each in numbers[1:])
     return value, f"[{low}, {high}]", "[{}, {}]".format(*ends)
+
+
+def _lines(canvas: Canvas, told: Sequence[tuple[str, str, str]], room: float) -> list[str]:
+    """Values with their intervals in brief, each on one line; without spaces if room is scarce."""
+    lines = [f"{value} {brief}" for value, _, brief in told]
+    if all(canvas.measure(line, canvas.type.small) <= room for line in lines):
+        return lines
+    return [line.replace(", ", ",") for line in lines]
 
 
 def _value_width(canvas: Canvas, rows: ActionRows, judgements: Sequence[Judgement]) -> float:
@@ -107,7 +116,7 @@ def _legends(rollouts: Rollouts) -> list[str]:
     """What the dots stand for, the longest wording first."""
     kinds, count = contact_kinds(rollouts), rollouts.count
     dots = len(QuantileDots.of(np.zeros(count), np.zeros(count, np.int64)).values)
-    told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count:,} rollouts"
+    told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count} rollouts"
     touched = [kind for kind in (PERSON, WALL) if (kinds == kind).any()]
     long = {PERSON: "×: touches a person", WALL: "□: touches a wall"}
     short = {PERSON: "× a person", WALL: "□ a wall"}
@@ -197,9 +206,7 @@ def _draw_certainty_equivalents(
         canvas.fill(Box(ends[0], middle - pen / 2, ends[1], middle + pen / 2), colour)
         at = (axis.at(float(judgement.certainty_equivalents[index])), middle)
         radius = min(4.2 * canvas.unit, 0.6 * lane.height)
-        draw_shape(
-            canvas, teacher_shape(judgement.teacher), at, radius, colour, canvas.theme.ground
-        )
+        pen_mark(canvas, at, judgement.pen, radius, canvas.theme.ground)
 
 
 def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judgement) -> None:
@@ -209,11 +216,13 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
     pick = "filled: pick" if judgement.is_sure else "outlined: open"
     inset = 22 * unit
     mark = (column.left + 8 * unit, column.top + 0.55 * canvas.type.heading)
-    draw_shape(canvas, teacher_shape(judgement.teacher), mark, 6 * unit, colour, theme.ground)
+    pen_mark(canvas, mark, judgement.pen, 5.5 * unit, theme.ground)
     head = Box(column.left + inset, column.top, column.right, column.bottom)
     ink = theme.legible(colour)
     titles = [f"V {judgement.label}", judgement.label]
     draw_head(canvas, head, titles, [pick, pick.split()[-1]], ink, canvas.type.heading)
+    room = column.width - 6 * unit
+    lines = _lines(canvas, [_told(judgement, index) for index in range(rows.shown)], room)
     for index, cell in enumerate(rows.cells(column)):
         middle, is_candidate = cell.centre[1], index in judgement.candidates
         pill = cell.inset(2 * unit)
@@ -225,12 +234,11 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             else:
                 canvas.rounded(pill.inset(max(1.0, 2 * unit)), 5 * unit, theme.ground)
         value, interval, brief = _told(judgement, index)
-        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 6 * unit
+        weight = SEMIBOLD if is_candidate else REGULAR
         if _has_two_lines(canvas, rows):
             at = (cell.centre[0], middle - 0.54 * small)
             canvas.fit(at, value, room, body, ink, weight, anchor="centre")
             at = (cell.centre[0], middle + 0.54 * body)
             canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
-            wordings = [f"{value} {interval}", f"{value} {brief}", value]
-            canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")
+            canvas.fit(cell.centre, [lines[index], value], room, small, ink, anchor="centre")
