@@ -9,7 +9,7 @@ from scenes import Rollouts
 from studio.arrays import Bounds
 from studio.recorder.figures import painted_view
 from studio.recorder.plots import bars_view, curves_view, states_view, table_view
-from studio.recorder.views import Overrides, drawn_view, opening, page_view
+from studio.recorder.views import drawn_view, opening, page_view
 from studio.scene.framing import bounds_to_show
 from studio.scene.recording import entities
 from studio.scene.recording.outcomes import measured
@@ -134,9 +134,7 @@ def minds_tab() -> rrb.Container:
     )
 
 
-def world_view(
-    contents: Sequence[str], bounds: Bounds, title: str, overrides: Overrides | None = None
-) -> rrb.View:
+def world_view(contents: Sequence[str], bounds: Bounds, title: str) -> rrb.View:
     """A view of the world: what does not move, and the given contents; see `drawn_view`."""
     fixed = [entities.WALLS, entities.TASK, entities.SCALE]
-    return drawn_view([*fixed, *contents], bounds, title, overrides)
+    return drawn_view([*fixed, *contents], bounds, title)
