@@ -51,7 +51,11 @@ def scene_overview(rollouts: Rollouts) -> rrb.Container:
     bounds = bounds_to_show(rollouts)
     worlds = [
         world_view(
-            [f"{entities.action(name)}/**", f"- {entities.pedestrians(name)}"],
+            [
+                f"{entities.action(name)}/**",
+                f"- {entities.pedestrians(name)}",
+                f"- {entities.SCALE}",  # it lies in the corner of larger views
+            ],
             bounds,
             short(action_label(name), LONGEST_TITLE),
         )
