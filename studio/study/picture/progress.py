@@ -11,7 +11,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import band
-from studio.painter.pens import pen_marker, pen_path
+from studio.painter.pens import pen_line, pen_mark
 from studio.study.picture.growth import grown
 from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
@@ -129,10 +129,10 @@ def _draw_curves(
             aside = (place - (len(begun) - 1) / 2) * _ASIDE * unit
             _draw_seeds(part, curve, across, up, scale, pen, aside)
     for path, pen in zip(paths, pens, strict=True):
-        pen_path(part, path, pen, 2.6 * unit)
+        pen_line(part, path, pen, 2.6 * unit)
     for curve, path, pen in zip(begun, paths, pens, strict=True):
         for x, y in path[curve.runs > 0].tolist():
-            pen_marker(part, (x, y), pen, 3.6 * unit)
+            pen_mark(part, (x, y), pen, 3.6 * unit, canvas.theme.panel)
     left = max((float(path[-1, 0]) for path in paths), default=end) + margin
     labels = [
         # between two sizes there is no number to name
