@@ -129,7 +129,7 @@ def _lay_out_column(
         if results.shaped and rest.height < _LOW * canvas.type.small:
             shapes, reward, risk, agreement = rest.rows((0.95, 1.63, 1.63, 1.3), gap)
         elif results.shaped:
-            rows = rest.rows((1.05, 1.35, 1.35, 0.9, 1.2), gap)
+            rows = rest.rows((0.95, 1.45, 1.45, 0.8, 1.2), gap)
             shapes, reward, risk, calibration, agreement = rows
         else:
             reward, calibration, agreement = rest.rows((1.7, 1.0, 1.0), gap)
