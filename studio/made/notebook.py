@@ -58,7 +58,7 @@ def show_inline(path: Path, width: int | None, height: int) -> None:
 
     viewer = Viewer(width="auto" if width is None else width, height=height)
     viewer.send_rrd(path.read_bytes())
-    display(viewer)
+    display(viewer)  # type: ignore[no-untyped-call]
 
 
 def register_pictures() -> None:
