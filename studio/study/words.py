@@ -74,23 +74,22 @@ def findings_told(stage: Stage) -> list[str]:
             continue
         is_open = found.runs < 2 or found.low <= 0.0 <= found.high
         group = undecided if is_open else better if found.difference < 0.0 else worse
-        group.append(short_teacher_name(teacher))
-    told = [
-        f"{who} has less regret than {other} for {_teachers(names)}"
-        for who, other, names in ((ours, theirs, better), (theirs, ours, worse))
-        if names
-    ]
-    if not told:
-        told, undecided = [f"whether {ours} or {theirs} has less regret is open"], []
-    short_told = ", ".join(told)
-    whole = f"{short_told}, open for {listed(undecided)}" if undecided else short_told
-    after = f"After {counted(pairs, 'pair')}, "
+        group.append(teacher_name(teacher.name))
+    groups = [(ours, theirs, better), (theirs, ours, worse)]
+    if not better and not worse:
+        whole = short = counts = f"whether {ours} has less regret than {theirs} is open"
+    else:
+        sure = [(f"{who} has less regret than {other} for ", of) for who, other, of in groups if of]
+        short = ", ".join(claim + listed(names) for claim, names in sure)
+        whole = short + (f", for {listed(undecided)} it is open" if undecided else "")
+        everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
+        counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
     return [
         f"{after}{whole}",
         _capital(whole),
-        *([_capital(f"{short_told}, the rest open")] if undecided else []),
-        f"{after}{short_told}",
-        _capital(short_told),
+        f"After {counted(pairs, 'pair')}, {short}",
+        _capital(short),
+        _capital(counts),
         *study_titles(results),
     ]
 
@@ -115,6 +114,8 @@ def finding_notes(results: StudyResults) -> list[str]:
             "dots: seeds; cross-bar and bar: interquartile mean and its 95 % interval"
             + ("; seeds below the axis lie at its end" if results.regrets.has_less else "")
         )
+        if results.regrets.has_less:
+            said.append("Small triangles: seeds whose regret is less than the axis shows")
         if results.paired:
             ours, theirs = map(learner_name, results.paired)
             said.append(
@@ -157,7 +158,7 @@ def reached(stage: Stage) -> str:
 
 
 def notes(stage: Stage) -> list[str]:
-    """What the lines and marks of the second page mean, in sentences."""
+    """What the lines and marks of the second page mean, in sentences, but for errors."""
     if not stage.fits:
         return []
     results, most = stage.results, reached(stage)
@@ -180,9 +181,14 @@ def notes(stage: Stage) -> list[str]:
     each = "a dot a seed, large: mean, " if seeds > 1 else ""
     numbers = "Reward and parameters" if results.shaped else "Reward"
     said.append(f"{numbers} at {most}: {each}bar: teacher")
-    if len(stage.sizes) > 1:
-        said.append(f"Errors: bold {most}, thin {stage.sizes[0]}")
     return [f"{note}." for note in said]
+
+
+def error_notes(stage: Stage) -> list[str]:
+    """What the lines of prediction errors mean, in sentences; none if there is but one kind."""
+    if len(stage.sizes) < 2:
+        return []
+    return [f"Errors: bold {reached(stage)}, thin {stage.sizes[0]}."]
 
 
 def verdicts(stage: Stage, teacher: Teacher) -> list[str]:

@@ -34,7 +34,7 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_learn_writes_table_picture_and_recording(bank: Path, tmp_path: Path) -> None:
+def test_learn_writes_table_pictures_and_recording(bank: Path, tmp_path: Path) -> None:
     result = run(
         "learn", "--outcomes", bank, "--pairs", "10,30", "--seeds", "2", "--out", tmp_path
     )  # fmt: skip
@@ -140,7 +140,8 @@ def test_scenes_that_do_not_come_out_as_in_the_bank_are_not_recorded(
     other = tmp_path / "other.parquet"
     pq.write_table(change(pq.read_table(bank)), other)
     learned = Studio(tmp_path / "out").learn(other, **SMALL)
-    assert len(learned.files) == 4
+    names = ["learning.parquet", "learning.png", "learning.rrd", "learning-2.png"]
+    assert [path.name for path in learned.files] == names
     assert not (tmp_path / "out" / "scenes").exists()
     page = page_of_scenes(tmp_path / "out")
     assert "These scenes have no recordings" in page
