@@ -57,16 +57,15 @@ def study_titles(results: StudyResults) -> list[str]:
     return rest
 
 
-def findings_told(stage: Stage) -> list[str]:
-    """Wordings of the result so far: which of two learners has less regret, and with whom.
+def findings_told(results: StudyResults) -> list[str]:
+    """Wordings of the study's result: which of two learners has less regret, and of whom.
 
     A teacher counts where the 95 % interval of the paired difference at the most pairs leaves no
     doubt. Without two learners it is a title that states no result.
     """
-    results = stage.results
-    if results.paired is None or not stage.sizes:
+    if results.paired is None or not results.sizes:
         return study_titles(results)
-    pairs, (ours, theirs) = stage.sizes[-1], map(learner_name, results.paired)
+    pairs, (ours, theirs) = results.sizes[-1], map(learner_name, results.paired)
     better, worse, undecided = list[str](), list[str](), list[str]()
     for teacher in results.taught:
         found = results.difference(teacher, *results.paired, pairs)
@@ -85,18 +84,13 @@ def findings_told(stage: Stage) -> list[str]:
         everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
         counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
     return [
-        f"{after}{whole}",
+        f"After {counted(pairs, 'pair')}, {whole}",
         _capital(whole),
         f"After {counted(pairs, 'pair')}, {short}",
         _capital(short),
         _capital(counts),
         *study_titles(results),
     ]
-
-
-def _teachers(names: list[str]) -> str:
-    """Teachers as the title calls them, whom nobody takes for the learners of the same names."""
-    return f"{'teacher' if len(names) == 1 else 'teachers'} {listed(names)}"
 
 
 def _capital(words: str) -> str:
@@ -111,17 +105,12 @@ def finding_notes(results: StudyResults) -> list[str]:
     if results.seeds > 1:
         said.append(
             f"Line: mean over {results.seeds} seeds, band: its 95 % bootstrap interval; "
-            "dots: seeds; cross-bar and bar: interquartile mean and its 95 % interval"
-            + ("; seeds below the axis lie at its end" if results.regrets.has_less else "")
+            "dots: seeds; bars: interquartile mean with its 95 % interval"
         )
         if results.regrets.has_less:
             said.append("Small triangles: seeds whose regret is less than the axis shows")
         if results.paired:
-            ours, theirs = map(learner_name, results.paired)
-            said.append(
-                f"{ours} − {theirs}: mean difference, paired by seed, with its 95 % interval; "
-                "it is open who has less regret where that interval holds 0"
-            )
+            said.append("In the heads: paired difference at the most pairs with its 95 % interval")
     return [f"{note}." for note in said]
 
 
@@ -166,6 +155,8 @@ def notes(stage: Stage) -> list[str]:
     said = []
     if seeds > 1:
         said.append(f"Picks: mean over {seeds} seeds, band: its 95 % bootstrap interval")
+        if len(results.learners) > 1:
+            said.append(f"[ ]: 95 % interval of the paired difference of regrets at {most}")
     if results.shaped:
         shades = ", ".join(map(str, stage.sharpening))
         said.append(
@@ -200,18 +191,19 @@ def verdicts(stage: Stage, teacher: Teacher) -> list[str]:
     if found is None:
         return []
     ours, theirs = map(learner_name, results.paired)
+    times = f"{ours}'s regret is {number(found.ratio, '.2f')} × {theirs}'s"
+    brief = f"{ours} {number(found.ratio, '.2f')} × {theirs}"
+    if not math.isfinite(found.ratio):
+        times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
     shift, low, high = map(signed, (found.difference, found.low, found.high))
     interval = f" [{low}, {high}]" if found.runs > 1 else ""
-    names, wholes = f"{ours} − {theirs}: ", []
-    if math.isfinite(found.ratio):
-        times = f"{number(found.ratio, '.2f')} × {theirs}'s regret"
-        wholes = [f"{names}{shift} percentage points{interval}, {times}"]
     return [
-        *wholes,
-        f"{names}{shift} percentage points{interval}",
-        f"{names}{shift} % points{interval}",
-        f"{names}{shift}{interval}",
-        f"{names}{shift}",
+        f"At {reached(stage)} {times}: {shift} percentage points{interval}",
+        f"{times}: {shift} percentage points{interval}",
+        f"{times}: {shift} % points{interval}",
+        f"{brief}: {shift} % points{interval}",
+        f"{brief}: {shift}{interval}",
+        f"{brief}: {shift}",
     ]
 
 
@@ -280,10 +272,6 @@ def paper_caption(results: StudyResults) -> str:
     if max(runs) > 1:
         some = f"{min(runs)} to {seeds}" if len(runs) > 1 else seeds
         said.append(f"Marks: mean over {some}; bands: 95 % bootstrap interval of the mean")
-        said.append(
-            "Beside them, small dots: seeds; short lines: interquartile mean with its "
-            "95 % bootstrap interval"
-        )
     else:
         said.append(f"Marks: {seeds}")
     said.append("Logarithmic axes")

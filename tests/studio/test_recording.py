@@ -17,7 +17,6 @@ from studio.errors import InputError
 from studio.kinds import read_recording
 from studio.orchestrator import Studio
 from studio.recording import Excerpt, Look, write_picture
-from studio.study.picture.finding import compose_finding
 from studio.study.picture.page import compose_study_picture
 from studio.study.results import StudyResults
 from studio.style.palette import ACTION_COLOURS, DARK, LIGHT
@@ -141,34 +140,17 @@ def test_a_study_is_painted_as_its_table(study_recording: Path, tmp_path: Path) 
     drawn = (study_recording.parent / "learning.png").read_bytes()
     assert (tmp_path / "x.png").read_bytes() == drawn
     frames = frames_of(tmp_path / "x.mp4")
-    assert frames[0].shape == (720, 1280, 3)
+    assert frames[0].shape == (800, 1280, 3)
     assert not np.array_equal(frames[0], frames[-1])
-
-
-def test_the_second_page_of_a_study_is_that_of_its_table(
-    study_recording: Path, tmp_path: Path
-) -> None:
-    result = render(study_recording, "--png", tmp_path / "x.png", "--page", "2")
-    assert result.exit_code == 0, result.stderr
-    drawn = (study_recording.parent / "learning-2.png").read_bytes()
-    assert (tmp_path / "x.png").read_bytes() == drawn
-    for page in ("0", "3"):
-        result = render(study_recording, "--png", tmp_path / "x.png", "--page", page)
-        assert result.exit_code == 2
-        assert result.stderr == f"studio: --page: {page} is not there: 1 to 2\n"
-    result = render(study_recording, "--mp4", tmp_path / "x.mp4", "--page", "2")
-    assert result.exit_code == 2
-    assert result.stderr == "studio: --page: goes with a picture, a film shows all pages\n"
 
 
 def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> None:
     recording = read_recording(study_recording)
-    cut = [recording.still(Look(), Excerpt(end=10, page=page)).pixels for page in (1, 2)]
+    cut = recording.still(Look(), Excerpt(end=10)).pixels
     table = pq.read_table(study_recording.with_suffix(".parquet"))
     of_ten = table.filter(table["pairs"].to_numpy() <= 10)
-    results = StudyResults(of_ten, recording.results.teachers)
-    expected = [compose(results).pixels for compose in (compose_finding, compose_study_picture)]
-    assert all(map(np.array_equal, cut, expected))
+    expected = compose_study_picture(StudyResults(of_ten, recording.results.teachers)).pixels
+    assert np.array_equal(cut, expected)
     with pytest.raises(InputError, match="11 to 29 pairs are not allowed: some of 10, 30"):
         recording.still(Look(), Excerpt(start=11, end=29))
 

@@ -18,7 +18,7 @@ from studio.study.picture.page import draw_stage, lay_out_study
 from studio.study.results import Stage, StudyResults
 from studio.style.palette import LIGHT, Theme
 
-INTERPOLATED = "Between two numbers of pairs the curves are interpolated."
+_INTERPOLATED = "Between two numbers of pairs the curves are interpolated."
 
 # how long something takes, s
 _MOVING = 0.7  # the way from one number of pairs to the next
@@ -38,8 +38,8 @@ def compose_study_film(
     Raises:
         InputError: if the size is not allowed.
     """
-    finding = lay_out_finding(results, size, theme, INTERPOLATED)
-    minds = lay_out_study(results, size, theme, INTERPOLATED)
+    finding = lay_out_finding(results, size, theme, _INTERPOLATED)
+    minds = lay_out_study(results, size, theme, _INTERPOLATED)
     shown = finding.results
 
     def frames(seconds: float) -> int:

@@ -7,11 +7,11 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
-from studio.study.picture.heads import draw_heads
+from studio.study.picture.heads import draw_head, head_height
 from studio.study.picture.progress import draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
-from studio.study.words import finding_notes, findings_told, reached, study_subtitles, verdicts
+from studio.study.words import finding_notes, findings_told, reached, study_subtitles
 from studio.style.palette import LIGHT, Theme
 
 SIZE = (1600, 900)
@@ -27,11 +27,12 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the teachers' names and the notes
+    canvas: Canvas  # with the notes
     results: StudyResults  # of the teachers that there is room for
-    room: float  # for titles, px; the number of pairs is at their right
+    titles: tuple[tuple[str, ...], ...]  # wordings of the finding after each number of pairs
     subtitles: tuple[str, ...]  # wordings of what was studied
-    panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher, who learned better, the plot
+    room: float  # for title and subtitle, px; the number of pairs is at their right
+    panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher with a head and a plot below it
     scales: Scales  # that the plots of all teachers share
 
 
@@ -61,42 +62,38 @@ def lay_out_finding(
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
     room = page.width - max(widths) - kind.title
-    subtitles = study_subtitles(results, left_out)
-    # every stage has a title of its own; their headings are equally high
-    last = findings_told(results.stages[-1])
-    heading = draw_heading(canvas.copy(), page, last, subtitles, room)
+    subtitles = tuple(study_subtitles(results, left_out))
+    # what is known by then: a film must not state the last finding while it shows the first pairs
+    titles = tuple(
+        tuple(findings_told(results.between(0.0, stage.reached))) for stage in results.stages
+    )
+    heading = draw_heading(canvas.copy(), page, titles[-1], subtitles, room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
     top = page.bottom - len(notes) * _NOTE_STEP * kind.small
     for index, line in enumerate(notes):
         at = (page.left, top + index * _NOTE_STEP * kind.small)
         canvas.text(at, line, kind.small, canvas.theme.faint, line="top")
     body = Box(page.left, heading.bottom + 18 * unit, page.right, top - 12 * unit)
-    boxes = draw_heads(
-        canvas, _panels(body, max(len(results.teachers), 1), canvas.gap), results.teachers
-    )
-    verdict = kind.body + 3 * unit if results.paired else 0.0
     panels = []
+    boxes = _panels(body, max(len(results.teachers), 1), canvas.gap)
     for teacher, box in zip(results.teachers, boxes, strict=False):
-        said = Box(box.left, box.top + 3 * unit, box.right, box.top + 3 * unit + verdict)
-        plot = Box(box.left, said.bottom + 8 * unit, box.right, box.bottom)
-        panels.append((teacher, said, plot))
+        head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
+        plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
+        panels.append((teacher, head, plot))
     scales = Scales.around(results)
-    return FindingPage(canvas, results, room, tuple(subtitles), tuple(panels), scales)
+    return FindingPage(canvas, results, titles, subtitles, room, tuple(panels), scales)
 
 
 def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
     area, size, ink = canvas.page, canvas.type.title, canvas.theme.ink
-    draw_heading(canvas, area, findings_told(stage), page.subtitles, page.room)
+    titles = page.titles[max(len(stage.sizes), 1) - 1]
+    draw_heading(canvas, area, titles, page.subtitles, page.room)
     corner = (area.right, area.top)
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
-    for teacher, said, plot in page.panels:
-        wordings = verdicts(stage, teacher)
-        if wordings:
-            kind = canvas.type
-            told = canvas.fitted(wordings, said.width, kind.body)
-            canvas.text((said.left, said.top), told, kind.body, ink, line="top")
+    for teacher, head, plot in page.panels:
+        draw_head(canvas, head, stage, teacher)
         draw_regret(canvas, plot, stage, teacher, page.scales)
     return canvas
 

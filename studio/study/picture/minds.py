@@ -221,7 +221,7 @@ class _RowPlot:
     def draw(self, canvas: Canvas, box: Box) -> None:
         """Draw what was learnt around the truth."""
         unit, size = canvas.unit, canvas.type.small
-        left = min(gutter(canvas, self.names), 0.6 * box.width)
+        left = min(gutter(canvas, self.names), 0.4 * box.width)
         panel = named_panel(canvas, box, self.wordings, left)
 
         def at(value: float) -> float:

@@ -14,7 +14,7 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.pens import pen_mark
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.finding import MOST_TEACHERS, SIZE
-from studio.study.picture.heads import draw_heads
+from studio.study.picture.heads import draw_head, head_height
 from studio.study.picture.minds import draw_calibration, draw_reward, draw_risk, draw_shapes
 from studio.study.picture.progress import draw_agreement
 from studio.study.picture.scales import Scales
@@ -46,6 +46,7 @@ class TeacherColumn:
     """Where the plots about one teacher lie."""
 
     teacher: Teacher
+    head: Box  # for the teacher's name and the verdict
     shapes: Box | None  # for weights and values; None if no learner learnt any
     reward: Box
     risk: Box | None  # for parameters of prospect theory; None likewise
@@ -57,7 +58,7 @@ class TeacherColumn:
 class StudyPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the title of the study and the teachers' names
+    canvas: Canvas  # with the title of the study
     results: StudyResults  # of the teachers that there is room for
     heading: Box  # where the title lies; the number of pairs is at its right
     columns: tuple[TeacherColumn, ...]  # one a teacher
@@ -92,10 +93,9 @@ def lay_out_study(
     notes_box = Box(page.left, notes_top, page.right, page.bottom)
     body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
     boxes = body.columns([1.0] * max(len(results.teachers), 1), canvas.gap)
-    rest = draw_heads(canvas, boxes, results.teachers)
     columns = tuple(
         _lay_out_column(canvas, box, results, teacher)
-        for teacher, box in zip(results.teachers, rest, strict=False)
+        for teacher, box in zip(results.teachers, boxes, strict=False)
     )
     scales = Scales.around(results)
     return StudyPage(canvas, results, heading, columns, notes_box, more_notes, scales)
@@ -138,12 +138,9 @@ def _lay_out_column(
         reward, risk = parameters.columns((1.45, 1.0), 20 * unit)
         calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
     else:
-        calibration, agreement = last.columns((1.0, 1.25), 20 * unit)
-    if not results.shaped:
-        return TeacherColumn(teacher, None, above[0], None, calibration, agreement)
-    shapes, numbers = above
-    reward, risk = numbers.columns((1.6, 1.0), 14 * unit)
-    return TeacherColumn(teacher, shapes, reward, risk, calibration, agreement)
+        reward, predictions = rest.rows((1.2, 1.0), gap)
+        calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
+    return TeacherColumn(teacher, head, shapes, reward, risk, calibration, agreement)
 
 
 def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
@@ -154,6 +151,7 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
     canvas.text(corner, reached(stage), kind.title, ink, SEMIBOLD, anchor="right", line="top")
     for column in page.columns:
         teacher = column.teacher
+        draw_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
             draw_shapes(canvas, column.shapes, stage, teacher, scales)
         draw_reward(canvas, column.reward, stage, teacher, scales)

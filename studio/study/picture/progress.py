@@ -21,7 +21,7 @@ from studio.style.palette import Pen, blend, learner_pen
 from studio.style.ticks import decades, ticks
 from studio.style.words import learner_name, number
 
-_ASIDE = 8.0  # from the seeds of one learner to those of the next, in units of the page
+_ASIDE = 7.0  # from the seeds of one learner to those of the next, in units of the page
 
 
 def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
@@ -36,8 +36,8 @@ def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
     low, high = scales.regret
     marks = decades(low, high)
     panel = named_panel(canvas, box, wordings, gutter(canvas, list(map(number, marks))))
-    has_zero, has_less = stage.results.regrets.has_zero, stage.results.regrets.has_less
-    strip = kind.small * (1.5 if has_zero else 0.5 if has_less else 0.0)  # below the axis's end
+    has_zero = stage.results.regrets.has_zero
+    strip = 1.5 * kind.small if has_zero else 0.0
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
     marks = [0.0, *marks] if has_zero else marks
     curves = stage.results.curves_of("regret_percent", teacher)
@@ -165,18 +165,17 @@ def _draw_seeds(
         curve.pairs, curve.samples, curve.middle, curve.middle_low, curve.middle_high, strict=False
     ):
         x = across.at(float(pairs)) + aside
+        if len(samples) > 1:
+            ends = up.along(scale * np.array([low, high]))
+            canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)
         for sample in (scale * samples).tolist():
             if 0.0 < sample < up.low:
                 below = Pen(faint, (), "triangle_down")
                 pen_mark(canvas, (x, up.start - 4 * unit), below, 2.6 * unit, canvas.theme.panel)
             else:
-                canvas.disc((x, up.at(sample)), 1.9 * unit, faint)
-        if len(samples) > 1:
-            ends = up.along(scale * np.array([low, high]))
-            canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)
-        for y in up.along(scale * samples).tolist():
-            canvas.disc((x, y), 2.8 * unit, pen.colour)
-            canvas.disc((x, y), 2.8 * unit - max(0.8, 0.8 * unit), faint)
+                # with an outline, so that dots can be told from the bar that they lie on
+                canvas.disc((x, up.at(sample)), 2.8 * unit, pen.colour)
+                canvas.disc((x, up.at(sample)), 2.8 * unit - max(0.8, 0.8 * unit), faint)
         if len(samples) > 1:
             y, reach = up.at(scale * float(middle)), 0.55 * _ASIDE * unit
             canvas.line([(x - reach, y), (x + reach, y)], pen.colour, 2.4 * unit)

@@ -4,6 +4,7 @@ import itertools
 from dataclasses import replace
 
 import numpy as np
+import pyarrow as pa
 import pytest
 
 from learners import TEACHERS
@@ -18,7 +19,7 @@ from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LIGHT
 from tests.canvases import check_texts, texts
 from tests.studio.study.picture.cases import FILMED, NOTHING, four_by_three, incomplete
-from tests.studio.study.tables import study_of
+from tests.studio.study.tables import THREE, study_of, study_table
 
 SIZE = (640, 400)
 FRAMES_PER_SECOND = 10
@@ -193,3 +194,19 @@ def test_fits_without_parameters_or_without_a_next_size_stay_as_they_are() -> No
     results = incomplete()
     known = results.fits_of(TK, "eu", 200)
     assert fits_between(Stage(results, 500.0), TK, "eu") == known
+
+
+def test_the_title_states_what_is_known_by_then() -> None:
+    table = study_table()
+    better_late = [
+        1.0 + (row["learner"] == "cpt") * (-0.5 if row["pairs"] == 2000 else row["seed"] - 1.0)
+        for row in table.to_pylist()
+    ]
+    place = table.column_names.index("regret_percent")
+    results = StudyResults(table.set_column(place, "regret_percent", pa.array(better_late)), THREE)
+    page = lay_out_finding(results, (1280, 720), LIGHT)
+    titles = [texts(draw_finding(page, Stage(page.results, pairs))) for pairs in (25, 300, 2000)]
+    for written in titles[:2]:
+        assert any("is open" in text for text in written)
+        assert not any("CPT has less regret than EU" in text for text in written)
+    assert any("CPT has less regret than EU" in text for text in titles[2])

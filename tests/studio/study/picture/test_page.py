@@ -1,7 +1,4 @@
-"""Both pages of a study's picture."""
-
 import itertools
-import re
 import warnings
 
 import cv2
