@@ -110,7 +110,7 @@ def test_some_actions_keep_the_colours_that_they_have_among_all(
     assert shown == [False, False, True, True, False, False, False]
     recording = read_recording(folder / "doorway.rrd")
     texts = [placed.text for placed in recording.still(Look(), Excerpt(("stop",))).texts]
-    assert texts.count("stop") == 2 + 3  # at its path, in the table, and as the pick of all three
+    assert texts.count("stop") == 3 + 3  # at its path, in two tables, and as the pick of all three
     assert "turn left" not in texts
 
 
@@ -120,9 +120,9 @@ def test_a_film_can_be_cut_to_a_span_of_simulated_time(folder: Path, tmp_path: P
         assert render(folder / "doorway.rrd", "--mp4", path, *QUICK, *options).exit_code == 0
         return len(frames_of(path))
 
-    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 2.5 s
-    assert whole == 11 + 5 + 25
-    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 25
+    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 6 s
+    assert whole == 11 + 5 + 60
+    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 60
     assert frames("--actions", "stop", "--from", "0.2", "--to", "0.7") == 6 + 5
 
 
@@ -200,7 +200,9 @@ def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> N
         recording.still(Look(), Excerpt(start=11, end=29))
 
 
-@pytest.mark.parametrize("name", ["scene-edition-1", "scene-edition-2", "learning-edition-1"])
+@pytest.mark.parametrize(
+    "name", ["scene-edition-1", "scene-edition-2", "learning-edition-1", "comparison-edition-2"]
+)
 def test_recordings_of_an_older_edition_are_painted(name: str, old: Callable[[str], Path]) -> None:
     recording = old(name)
     result = render(recording, "--fps", "5")

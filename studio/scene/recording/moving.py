@@ -1,16 +1,21 @@
-"""What moves in a recording, and how: shared by all that is shown over time."""
+"""What moves in a recording, and how: shared by all that is shown over time.
 
-from collections.abc import Iterable
+Marks answer when hovered. The viewer then shows up to three components of a mark, and nothing but a
+count of more than that; those with a single value for all marks are left out. So a mark tells
+everything in one text, `told`, of which 75 letters are shown; its action stands in the entity's
+path. The same in numbers is a row of the table of outcomes.
+"""
+
+from collections.abc import Iterable, Sequence
 from typing import cast
 
 import numpy as np
 import rerun as rr
 
 from scenes import Rollouts
-from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.scene.groups import shortest_links
-from studio.style.palette import Theme, blend
 
 RESOLUTION = 1.0 / 128.0
 """Positions are rounded to this, about 8 mm: they are at most 4 mm off.
@@ -19,6 +24,9 @@ Being a power of two it leaves the last bytes of each number empty and makes man
 so that they pack into 0.6 of their size; rounded to 1 cm they would pack into 0.8.
 """
 
+HEADING_RESOLUTION = 1.0 / 64.0
+"""Headings are rounded to this, about 0.9°, rad."""
+
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; until then it is 1 + the index of its action."""
 
@@ -26,7 +34,8 @@ PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
 
 ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])  # facing along x, m
-BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS  # of the bars that join the people of a group, m
+CROSS = np.array([(-1, -1), (1, 1), (0, 0), (-1, 1), (1, -1)])
+SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
 
 
 def log_over_time(
@@ -39,34 +48,6 @@ def log_over_time(
     """Say how an entity looks at any time, and what it is at each moment."""
     stream.log(path, *look, static=True)
     stream.send_columns(path, times, columns)
-
-
-def log_people(
-    stream: rr.RecordingStream,
-    path: str,
-    times: Iterable[rr.TimeColumn],
-    people: FloatArray,
-    groups: tuple[tuple[int, ...], ...],
-    look: rr.Points2D,
-    theme: Theme,
-) -> None:
-    """Show people [moments, N, 2] (m) who move, and bars that join those of a group.
-
-    Groups name people by their indices in axis N; the look says radii, colours and draw order.
-    """
-    places = rounded(people)
-    static: list[rr.AsComponents] = [look]
-    points = rr.Points2D.columns(positions=places.reshape(-1, 2))
-    moving = [*points.partition([places.shape[1]] * len(places))]
-    if groups:
-        bars = group_bars(places, groups)  # (moments, bars, 2, 2)
-        faint = blend(theme.pedestrian, theme.panel, 0.5)
-        static.append(
-            rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
-        )
-        lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
-        moving += lines.partition([bars.shape[1]] * len(bars))
-    log_over_time(stream, path, times, static, moving)
 
 
 def rounded(values: FloatArray, resolution: float = RESOLUTION) -> FloatArray:
@@ -105,13 +86,31 @@ def time_columns(rollouts: Rollouts) -> tuple[rr.TimeColumn, ...]:
     )
 
 
-def path_corners(rollouts: Rollouts) -> IntArray:
+def turn_column(rollouts: Rollouts) -> rr.TimeColumn:
+    """The timeline along which one rollout is shown after the other."""
+    return rr.TimeColumn("rollout", sequence=np.arange(rollouts.paths))
+
+
+def path_corners(rollouts: Rollouts, stride: int = PATH_STRIDE) -> IntArray:
     """The steps through which a path is drawn, the first and the last among them."""
-    return np.unique([*range(0, rollouts.steps, PATH_STRIDE), rollouts.steps])
+    return np.unique([*range(0, rollouts.steps, stride), rollouts.steps])
 
 
-def crosses(centres: FloatArray, reach: float) -> FloatArray:
-    """Two strokes a cross, [2N, 2, 2], m."""
-    strokes = reach * np.array([[(-1.0, -1.0), (1.0, 1.0)], [(-1.0, 1.0), (1.0, -1.0)]])
-    lines: FloatArray = (centres[:, None, None] + strokes).reshape(-1, 2, 2)
-    return lines
+def clear_rollouts_from(stream: rr.RecordingStream, path: str, first: int) -> None:
+    """Show nothing of the rollouts from this one on, whose paths are not kept."""
+    stream.set_time("rollout", sequence=first)
+    stream.log(path, rr.Clear(recursive=True))
+    stream.reset_time()
+
+
+def people_told(told: Sequence[str], people: int) -> list[str]:
+    """What the people of each rollout tell, those of the first one first."""
+    rollouts = [words.split(":")[0] for words in told]
+    return [f"person {person} in {each}" for each in rollouts for person in range(people)]
+
+
+def told_by_row(rows: Sequence[Sequence[str]]) -> list[rr.ComponentColumn]:
+    """What marks tell row by row; a single mark tells it twice, or it would not be shown."""
+    doubled = [[*row, *row] if len(row) == 1 else row for row in rows]
+    words = rr.AnyValues.columns(told=[word for row in doubled for word in row])
+    return list(words.partition([len(row) for row in doubled]))
