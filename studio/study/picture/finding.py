@@ -7,7 +7,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
-from studio.study.picture.heads import draw_head, head_height
+from studio.study.picture.heads import draw_teacher_head, teacher_head_height
 from studio.study.picture.progress import draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
@@ -77,7 +77,7 @@ def lay_out_finding(
     panels = []
     boxes = _panels(body, max(len(results.teachers), 1), canvas.gap)
     for teacher, box in zip(results.teachers, boxes, strict=False):
-        head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
+        head = Box(box.left, box.top, box.right, box.top + teacher_head_height(canvas, results))
         plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
         panels.append((teacher, head, plot))
     scales = Scales.around(results)
@@ -93,7 +93,7 @@ def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     corner = (area.right, area.top)
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
     for teacher, head, plot in page.panels:
-        draw_head(canvas, head, stage, teacher)
+        draw_teacher_head(canvas, head, stage, teacher)
         draw_regret(canvas, plot, stage, teacher, page.scales)
     return canvas
 

@@ -7,7 +7,13 @@ import pytest
 
 from learners import TEACHERS, InputError, learning_curves, paired_differences
 from learners.seeds import Stream, generator
-from learners.studying.curves import RESAMPLES, mean_interval, middle_interval, middle_mean
+from learners.studying.curves import (
+    RESAMPLES,
+    Spread,
+    mean_interval,
+    middle_interval,
+    middle_mean,
+)
 
 
 @pytest.fixture
@@ -142,3 +148,93 @@ def test_what_cannot_be_averaged_is_refused(table):
         learning_curves(table, "teacher")
     with pytest.raises(InputError, match="learner 'deep' is not allowed: eu, cpt"):
         paired_differences(table, "deep")
+
+
+# The middle half of the seeds
+
+
+FIVE = np.array([43.0, 5.5, 0.5, 1.4, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("samples", "middle"),
+    [
+        (FIVE, (5.5 + 1.4 + 1.0) / 3.0),
+        (FIVE[:4], (5.5 + 1.4) / 2.0),
+        (FIVE[:3], (43.0 + 5.5 + 0.5) / 3.0),  # of fewer than four none is left out
+        (FIVE[:1], 43.0),
+        (np.arange(10.0), 4.5),
+        (np.array([9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 100.0]), 6.5),
+    ],
+)
+def test_the_interquartile_mean_leaves_a_quarter_out_at_either_end(samples, middle):
+    assert middle_mean(samples) == pytest.approx(middle)
+
+
+def test_the_interquartile_mean_is_that_of_scipy():
+    stats = pytest.importorskip("scipy.stats")
+    rng = np.random.default_rng(1)
+    for count in range(1, 22):
+        samples = rng.lognormal(size=(count, 3))
+        np.testing.assert_allclose(middle_mean(samples), stats.trim_mean(samples, 0.25, axis=0))
+
+
+def test_the_interval_of_the_interquartile_mean_is_that_of_resampled_seeds():
+    low, high = middle_interval(FIVE)
+    # another bootstrap, draw by draw
+    rng = np.random.default_rng(5)
+    draws = [np.sort(rng.choice(FIVE, 5))[1:4].mean() for _ in range(40_000)]
+    np.testing.assert_allclose((low, high), np.quantile(draws, (0.025, 0.975)), rtol=0.1)
+    assert low < middle_mean(FIVE) < high
+
+
+def test_curves_carry_median_middle_and_every_seed():
+    rows = [
+        {"teacher": "eu", "learner": "eu", "pairs": pairs, "seed": seed, "regret_percent": value}
+        for pairs, values in ((25, FIVE), (50, FIVE[::-1] / 2.0))
+        for seed, value in enumerate(values.tolist())
+    ]
+    [curve] = learning_curves(pa.Table.from_pylist(rows))
+    assert curve.median.tolist() == [1.4, 0.7]
+    assert curve.middle.tolist() == pytest.approx([7.9 / 3.0, 7.9 / 6.0])
+    assert [samples.tolist() for samples in curve.samples] == [
+        FIVE.tolist(),
+        (FIVE[::-1] / 2.0).tolist(),
+    ]
+    assert (curve.middle_low[0], curve.middle_high[0]) == middle_interval(FIVE)
+    assert curve.at(50).middle == curve.middle[1]
+
+
+def test_some_points_of_a_curve_are_a_curve(table):
+    curve = learning_curves(table, "theta_unit")[0]
+    last = curve.where(curve.pairs > 25)
+    assert (last.teacher, last.learner, last.column) == ("tk", "eu", "theta_unit")
+    assert (last.pairs.tolist(), last.runs.tolist()) == ([100], [4])
+    assert last.mean.tolist() == curve.mean[1:].tolist()
+    assert len(last.samples) == 1
+    np.testing.assert_array_equal(last.samples[0], curve.samples[1])
+    assert last.at(25) is None
+    assert last.at(100).middle_high.tolist() == curve.at(100).middle_high.tolist()
+    nothing = curve.where(curve.pairs < 0)
+    assert (len(nothing.pairs), nothing.mean.shape, nothing.samples) == (0, (0, 2), ())
+
+
+def test_a_curve_in_another_unit_is_changed_as_a_whole(table):
+    curve = learning_curves(table)[1]
+    doubled = curve.mapped(lambda entries: 2.0 * entries)
+    assert doubled.pairs.tolist() == curve.pairs.tolist()
+    assert doubled.runs.tolist() == curve.runs.tolist()
+    names = ("mean", "std", "low", "high", "median", "middle", "middle_low", "middle_high")
+    for name in names:
+        assert getattr(doubled, name).tolist() == (2.0 * getattr(curve, name)).tolist()
+    for before, after in zip(curve.samples, doubled.samples, strict=True):
+        assert after.tolist() == (2.0 * before).tolist()
+
+
+def test_a_spread_of_lists_has_one_of_each_number(table):
+    spread = learning_curves(table, "theta_unit")[0].at(25)
+    one = spread.of(0)
+    assert isinstance(one, Spread)
+    assert (one.runs, one.mean, one.median, one.middle) == (4, 1.5, 1.5, 1.5)
+    assert one.samples.tolist() == [0.0, 1.0, 2.0, 3.0]
+    assert spread.of(1).std == 0.0

@@ -2,6 +2,7 @@
 
 import itertools
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
@@ -72,7 +73,7 @@ def test_the_film_says_that_curves_are_interpolated_but_the_picture_does_not() -
     note = "Between two numbers of pairs the curves are interpolated."
     for lay_out, draw in ((lay_out_finding, draw_finding), (lay_out_study, draw_stage)):
         page = lay_out(study_of(), (1600, 900), LIGHT, note)
-        written = " ".join(texts(draw(page, page.results.stages[0])))  # type: ignore[operator]
+        written = " ".join(texts(draw(page, page.results.stages[0])))
         assert note in written
     assert note not in " ".join(texts(compose_finding(study_of())))
 
@@ -136,7 +137,9 @@ def test_a_film_has_its_theme() -> None:
 
 
 @pytest.mark.parametrize("size", [(641, 400), (320, 200)])
-def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size, tmp_path) -> None:  # type: ignore[no-untyped-def]
+def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(
+    size: tuple[int, int], tmp_path: Path
+) -> None:
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
         write_mp4(tmp_path / "film.mp4", compose_study_film(study_of(), size), size, 30)
     assert "\n" not in str(error.value)
