@@ -2,8 +2,10 @@
 
 import itertools
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 import pytest
 
 from learners import TEACHERS
@@ -18,7 +20,7 @@ from studio.study.results import Stage, StudyResults
 from studio.style.palette import DARK, LIGHT
 from tests.canvases import check_texts, texts
 from tests.studio.study.picture.cases import FILMED, NOTHING, four_by_three, incomplete
-from tests.studio.study.tables import study_of
+from tests.studio.study.tables import THREE, study_of, study_table
 
 SIZE = (640, 400)
 FRAMES_PER_SECOND = 10
@@ -71,7 +73,7 @@ def test_the_film_says_that_curves_are_interpolated_but_the_picture_does_not() -
     note = "Between two numbers of pairs the curves are interpolated."
     for lay_out, draw in ((lay_out_finding, draw_finding), (lay_out_study, draw_stage)):
         page = lay_out(study_of(), (1600, 900), LIGHT, note)
-        written = " ".join(texts(draw(page, page.results.stages[0])))  # type: ignore[operator]
+        written = " ".join(texts(draw(page, page.results.stages[0])))
         assert note in written
     assert note not in " ".join(texts(compose_finding(study_of())))
 
@@ -135,7 +137,9 @@ def test_a_film_has_its_theme() -> None:
 
 
 @pytest.mark.parametrize("size", [(641, 400), (320, 200)])
-def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(size, tmp_path) -> None:  # type: ignore[no-untyped-def]
+def test_sizes_that_cannot_be_filmed_are_refused_in_one_line(
+    size: tuple[int, int], tmp_path: Path
+) -> None:
     with pytest.raises(InputError, match=f"size: {size[0]}x{size[1]} pixels is not") as error:
         write_mp4(tmp_path / "film.mp4", compose_study_film(study_of(), size), size, 30)
     assert "\n" not in str(error.value)
@@ -193,3 +197,18 @@ def test_fits_without_parameters_or_without_a_next_size_stay_as_they_are() -> No
     results = incomplete()
     known = results.fits_of(TK, "eu", 200)
     assert fits_between(Stage(results, 500.0), TK, "eu") == known
+
+
+def test_the_title_states_what_is_known_by_then() -> None:
+    table = study_table()
+    better_late = [
+        1.0 + (row["learner"] == "cpt") * (-0.5 if row["pairs"] == 2000 else row["seed"] - 1.0)
+        for row in table.to_pylist()
+    ]
+    place = table.column_names.index("regret_percent")
+    results = StudyResults(table.set_column(place, "regret_percent", pa.array(better_late)), THREE)
+    page = lay_out_finding(results, (1280, 720), LIGHT)
+    titles = [texts(draw_finding(page, Stage(page.results, pairs))) for pairs in (25, 300, 2000)]
+    for written in titles[:2]:
+        assert any("hether CPT has less regret than EU is open" in text for text in written)
+    assert any("CPT has less regret than EU for EU, T&K and Strong" in text for text in titles[2])
