@@ -32,7 +32,6 @@ def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
         "deviation_m": rollouts.deviation_m,
         "progress_m": rollouts.progress_m,
         "smoothness": rollouts.features[..., FEATURES.index("smoothness")],
-        "collisions": rollouts.features[..., FEATURES.index("collisions")],
         "people_touched": rollouts.people_touched.astype(np.int32),
         "person_step": rollouts.person_step.astype(np.int32),
         "wall_step": rollouts.wall_step.astype(np.int32),

@@ -106,7 +106,7 @@ def _outcomes(
         name: np.array(
             [contents.over_time(table, name, "rollout") for table in tables], np.float64
         ).reshape(len(actions), count)
-        for name in (*IN_METRES, "smoothness", "collisions", "person_step", "wall_step")
+        for name in (*IN_METRES, "smoothness", "people_touched", "person_step", "wall_step")
     }
     clearance, deviation, progress = (numbers[name] for name in IN_METRES)
     features = [
@@ -114,7 +114,7 @@ def _outcomes(
         deviation / DEVIATION_SCALE,
         progress / (PROGRESS_SPEED * horizon),
         numbers["smoothness"],
-        numbers["collisions"],
+        numbers["people_touched"] + (numbers["wall_step"] >= 0),
     ]
     return Outcomes(
         features=np.stack(features, axis=-1),
