@@ -76,16 +76,22 @@ def findings_told(results: StudyResults) -> list[str]:
         group.append(teacher_name(teacher.name))
     groups = [(ours, theirs, better), (theirs, ours, worse)]
     if not better and not worse:
-        whole = short = counts = f"whether {ours} has less regret than {theirs} is open"
+        whole = some = short = counts = f"whether {ours} has less regret than {theirs} is open"
     else:
         sure = [(f"{who} has less regret than {other} for ", of) for who, other, of in groups if of]
-        short = ", ".join(claim + listed(names) for claim, names in sure)
-        whole = short + (f", for {listed(undecided)} it is open" if undecided else "")
+        # teachers are called so, since learners have the same names
+        short = ", ".join(
+            f"{claim}{'teacher' if len(names) == 1 else 'teachers'} {listed(names)}"
+            for claim, names in sure
+        )
+        whole = short + (f", open for {listed(undecided)}" if undecided else "")
+        some = short + (", the rest open" if undecided else "")
         everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
         counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
     return [
         f"After {counted(pairs, 'pair')}, {whole}",
         _capital(whole),
+        _capital(some),
         f"After {counted(pairs, 'pair')}, {short}",
         _capital(short),
         _capital(counts),

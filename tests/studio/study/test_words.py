@@ -32,18 +32,18 @@ def with_shifts(
         (
             {"eu": 0.0, "tk": -0.5, "strong": -0.5},
             0.1,
-            "CPT has less regret than EU for T&K and Strong, for EU it is open",
+            "CPT has less regret than EU for teachers T&K and Strong, open for EU",
         ),
         (
             {"eu": 0.5, "tk": -0.5, "strong": 0.0},
             0.1,
-            "CPT has less regret than EU for T&K, EU has less regret than CPT for EU, "
-            "for Strong it is open",
+            "CPT has less regret than EU for teacher T&K, "
+            "EU has less regret than CPT for teacher EU, open for Strong",
         ),
         (
             {"eu": 0.5, "tk": 0.5, "strong": 0.5},
             0.1,
-            "EU has less regret than CPT for EU, T&K and Strong",
+            "EU has less regret than CPT for teachers EU, T&K and Strong",
         ),
         # a mean below 0 whose interval holds 0 states nothing
         (
@@ -63,6 +63,7 @@ def test_the_title_states_who_has_less_regret_where_that_is_sure(
 
 def test_where_names_have_no_room_the_title_counts_teachers() -> None:
     told = findings_told(with_shifts({"eu": 0.0, "tk": -0.5, "strong": -0.5}, 0.1))
+    assert told[2] == "CPT has less regret than EU for teachers T&K and Strong, the rest open"
     assert "CPT has less regret than EU for 2 of 3 teachers" in told
     assert "EU has less regret" not in " ".join(told)
 

@@ -211,4 +211,6 @@ def test_the_title_states_what_is_known_by_then() -> None:
     titles = [texts(draw_finding(page, Stage(page.results, pairs))) for pairs in (25, 300, 2000)]
     for written in titles[:2]:
         assert any("hether CPT has less regret than EU is open" in text for text in written)
-    assert any("CPT has less regret than EU for EU, T&K and Strong" in text for text in titles[2])
+    assert any(
+        "CPT has less regret than EU for teachers EU, T&K and Strong" in text for text in titles[2]
+    )
