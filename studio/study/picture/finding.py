@@ -27,9 +27,10 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the title and the notes
+    canvas: Canvas  # with the subtitle and the notes
     results: StudyResults  # of the teachers that there is room for
     heading: Box  # where the title lies; the number of pairs is at its right
+    room: float  # for the title, px
     panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher with a head and a plot below it
     scales: Scales  # that the plots of all teachers share
 
@@ -60,9 +61,8 @@ def lay_out_finding(
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
     room = page.width - max(widths) - kind.title
-    heading = draw_heading(
-        canvas, page, findings_told(results), study_subtitles(results, left_out), room
-    )
+    # the title differs from stage to stage
+    heading = draw_heading(canvas, page, [""], study_subtitles(results, left_out), room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
     top = page.bottom - len(notes) * _NOTE_STEP * kind.small
     for index, line in enumerate(notes):
@@ -75,14 +75,15 @@ def lay_out_finding(
         head = Box(box.left, box.top, box.right, box.top + teacher_head_height(canvas, results))
         plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
         panels.append((teacher, head, plot))
-    return FindingPage(canvas, results, heading, tuple(panels), Scales.around(results))
+    return FindingPage(canvas, results, heading, room, tuple(panels), Scales.around(results))
 
 
 def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
     corner, size = (page.heading.right, page.heading.top), canvas.type.title
-    ink = canvas.theme.ink
+    ink, start = canvas.theme.ink, (page.heading.left, page.heading.top)
+    canvas.fit(start, findings_told(stage), page.room, size, ink, SEMIBOLD, line="top")
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
     for teacher, head, plot in page.panels:
         draw_teacher_head(canvas, head, stage, teacher)
