@@ -57,15 +57,16 @@ def study_titles(results: StudyResults) -> list[str]:
     return rest
 
 
-def findings_told(results: StudyResults) -> list[str]:
-    """Wordings of the study's result: which of two learners has less regret, and of whom.
+def findings_told(stage: Stage) -> list[str]:
+    """Wordings of the result so far: which of two learners has less regret, and of whom.
 
     A teacher counts where the 95 % interval of the paired difference at the most pairs leaves no
     doubt. Without two learners it is a title that states no result.
     """
-    if results.paired is None or not results.sizes:
+    results = stage.results
+    if results.paired is None or not stage.sizes:
         return study_titles(results)
-    pairs, (ours, theirs) = results.sizes[-1], map(learner_name, results.paired)
+    pairs, (ours, theirs) = stage.sizes[-1], map(learner_name, results.paired)
     better, worse, undecided = list[str](), list[str](), list[str]()
     for teacher in results.taught:
         found = results.difference(teacher, *results.paired, pairs)
