@@ -21,8 +21,8 @@ def contacts_in_detail(people: int, walls: int, count: int) -> list[str]:
     told = share_told(share.value, share.low, share.high)
     if not people + walls:
         return [told]
-    parts = [f"× {people:,} a person"] * bool(people) + [f"□ {walls:,} a wall"] * bool(walls)
-    brief = [f"× {people:,}"] * bool(people) + [f"□ {walls:,}"] * bool(walls)
+    parts = [f"× {people} a person"] * bool(people) + [f"□ {walls} a wall"] * bool(walls)
+    brief = [f"× {people}"] * bool(people) + [f"□ {walls}"] * bool(walls)
     return [f"{told} · {', '.join(parts)}", f"{told} · {', '.join(brief)}", told]
 
 

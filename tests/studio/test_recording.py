@@ -31,7 +31,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recorded scene with its picture and film, and a comparison."""
     out = tmp_path_factory.mktemp("recorded")
     Studio(out).record("doorway", rollouts=4, horizon=1.0)
-    Studio(out).compare("doorway", "forward", "stop", rollouts=4, horizon=1.0)
+    Studio(out).compare("doorway", "forward", "stop", names=True, rollouts=4, horizon=1.0)
     return out
 
 

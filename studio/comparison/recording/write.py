@@ -104,7 +104,7 @@ def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb
 
 def whole_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """All paths under one side's action at once, and how its outcomes are distributed."""
-    sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count:,}"
+    sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count}"
     title = f"{title}: {counted(rollouts.paths, 'path')}{sample}"
     plots = [
         bars_view(

@@ -9,9 +9,11 @@ from studio.comparison.picture.film import (
     Pace,
     compose_comparison_film,
     play_outcomes,
+    replay,
     scenes_at_rest,
 )
 from studio.comparison.picture.page import compose_comparison_picture, lay_out_comparison
+from studio.comparison.telling import telling_outcomes
 from studio.errors import InputError
 from studio.painter.mp4 import write_mp4
 from studio.style.palette import LIGHT
@@ -21,7 +23,7 @@ from tests.studio.comparison.made_up import NAMES, SIZE, a_comparison
 
 
 @pytest.mark.parametrize(
-    "draw", [scenes_at_rest, lambda page: next(play_outcomes(page, Pace.of(1, 10), range(1)))]
+    "draw", [scenes_at_rest, lambda page: next(play_outcomes(page, Pace.of(1, 0.5, 10), range(1)))]
 )
 def test_who_stands_on_the_goal_does_not_hide_it(draw):
     standing = Pedestrian((1.5, 0.0), (1.5, 0.0), desired_speed=0.0)
@@ -49,16 +51,38 @@ def drawn(comparison, frames_per_second=30):
     return list(itertools.chain(*frames))
 
 
-def test_the_film_rests_shows_every_outcome_and_ends_with_the_picture(comparison, film):
+def test_the_film_rests_shows_every_outcome_replays_some_and_ends_with_the_picture(
+    comparison, film
+):
     frames = drawn(comparison)
-    assert len(frames) == len(film[1]) == 18 + 5 * 60 + 90
+    # 1 s at rest; five outcomes of 1.3 s, of which they move 0.8 s; two replays; 6 s
+    assert len(frames) == len(film[1]) == 30 + 5 * 39 + 2 * (24 + 30) + 180
     picture = compose_comparison_picture(comparison, SIZE).pixels
-    for frame, decoded in list(zip(frames, film[1], strict=True))[-90::89]:
+    for frame, decoded in list(zip(frames, film[1], strict=True))[-180::179]:
         np.testing.assert_array_equal(frame, picture)
         assert np.abs(decoded.astype(int) - picture).mean() < 2.0
-    for frame in frames[1:18]:
+    for frame in frames[1:30]:
         np.testing.assert_array_equal(frame, frames[0])
-    assert not np.array_equal(frames[18], frames[19])
+    assert not np.array_equal(frames[30], frames[31])
+    assert not np.array_equal(frames[-181], picture)
+
+
+def test_the_worst_and_the_typical_outcome_of_each_side_play_once_more(comparison):
+    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 0.5, 10)
+    for telling in telling_outcomes(comparison.rollouts):
+        canvases = [(texts(canvas), canvas.pixels.copy()) for canvas in replay(page, pace, telling)]
+        assert len(canvases) == pace.frames_of_replay == 8 + 10
+        for told, _ in canvases:
+            assert any(f"the {telling.name} outcome of each side" in text for text in told)
+            for place in telling.places:
+                assert f"{telling.name} outcome: no. {place + 1} of 5" in told
+        assert not np.array_equal(canvases[0][1], canvases[6][1])
+        np.testing.assert_array_equal(canvases[-1][1], canvases[-2][1])
+        # everybody is where the outcome ends
+        for view, side in zip(page.views, range(2), strict=True):
+            end = comparison.rollouts.pedestrians[side, telling.places[side], -1, 0]
+            x, y = view.to_pixels(end).astype(int)
+            assert (canvases[-1][1][y, x] == LIGHT.pedestrian).all()
 
 
 def test_the_same_input_gives_the_same_bytes(comparison, film, tmp_path):
@@ -68,20 +92,20 @@ def test_the_same_input_gives_the_same_bytes(comparison, film, tmp_path):
 
 @pytest.mark.parametrize("size", [SIZE, (1274, 714)])
 def test_a_part_that_starts_later_goes_on_where_the_one_before_it_stopped(size):
-    page, pace = lay_out_comparison(a_comparison(rollouts=30), size), Pace.of(30, 5)
+    page, pace = lay_out_comparison(a_comparison(rollouts=30), size), Pace.of(30, 0.5, 5)
     whole = [canvas.pixels.copy() for canvas in play_outcomes(page, pace, range(30))]
     later = [canvas.pixels.copy() for canvas in play_outcomes(page, pace, range(28, 30))]
-    for first, second in zip(whole[28 * pace.frames :], later, strict=True):
+    for first, second in zip(whole[pace.frames[:28].sum() :], later, strict=True):
         np.testing.assert_array_equal(first, second)
 
 
 def test_counts_grow_as_outcomes_come_to_their_end(comparison):
-    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 10)
+    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 0.5, 10)
     assert not any("contact" in text or "so far" in text for text in texts(scenes_at_rest(page)))
     told = [texts(canvas) for canvas in play_outcomes(page, pace, range(5))]
     touched = comparison.rollouts.touched[0]
     for outcome in range(5):
-        start, end = told[outcome * pace.frames], told[(outcome + 1) * pace.frames - 1]
+        start, end = told[outcome * pace.frames[0]], told[(outcome + 1) * pace.frames[0] - 1]
         assert any(text.startswith(f"Outcome {outcome + 1} of 5") for text in start)
         so_far = f"{touched[:outcome].sum()} of {outcome} so far"
         assert (so_far in start) == (outcome > 0)
@@ -92,9 +116,9 @@ def test_counts_grow_as_outcomes_come_to_their_end(comparison):
 
 
 def test_the_robot_turns_red_when_it_touches_something_and_not_before(comparison):
-    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 10)
+    page, pace = lay_out_comparison(comparison, SIZE), Pace.of(5, 0.5, 10)
     reds = [red_pixels(canvas.pixels) for canvas in play_outcomes(page, pace, range(1))]
-    before = int(2 / 5 * pace.moving) - 1  # contact is at step 2 of 5
+    before = int(2 / 5 * pace.moving[0]) - 1  # contact is at step 2 of 5
     assert reds[:before] == [0] * before
     assert min(reds[before + 1 :]) > 20
 
@@ -102,23 +126,31 @@ def test_the_robot_turns_red_when_it_touches_something_and_not_before(comparison
 @pytest.mark.parametrize("size", [SIZE, (1920, 1080)])
 def test_texts_stay_apart_all_along(unusual, size):
     page = lay_out_comparison(unusual, size)
-    pace = Pace.of(unusual.rollouts.count, 30)
+    pace = Pace.of(page.sample.count, page.sample.horizon, 30)
     check_texts(scenes_at_rest(page))
-    last = pace.turns - 1
+    last = page.sample.count - 1
     for canvas in itertools.islice(play_outcomes(page, pace, range(last, last + 1)), 0, None, 20):
         check_texts(canvas)
+    for telling in telling_outcomes(page.rollouts):
+        check_texts(next(replay(page, pace, telling)))
 
 
-@pytest.mark.parametrize("count", [1, 7, 50, 200, 300, 1200, 10_000])
-def test_the_film_is_neither_too_fast_nor_too_long(count):
-    pace = Pace.of(count, 30)
-    assert 0.1 <= pace.frames / 30 <= 2.0
-    assert 2.0 <= pace.turns * pace.frames / 30 <= 32.0
-    assert 1 <= pace.moving <= pace.frames
-    assert pace.shown(0) == 0
-    assert pace.shown(pace.turns) == count
-    if count == 50:
-        assert pace.frames == 12
+@pytest.mark.parametrize("count", [1, 7, 50, 300])
+def test_parts_of_a_film_follow_one_another_and_are_about_as_long(count):
+    pace = Pace.of(count, 4.0, 30)
+    parts = pace.parts(range(count))
+    assert list(itertools.chain(*parts)) == list(range(count))
+    lengths = [pace.frames[part].sum() for part in parts]
+    assert max(lengths) <= sum(lengths) / 8 + pace.frames.max()
+
+
+def test_the_film_of_a_sample_says_so_and_counts_all(tmp_path):
+    page = lay_out_comparison(a_comparison(people=1, rollouts=600, paths=7), (1280, 720))
+    pace = Pace.of(7, 0.5, 10)
+    *_, last = play_outcomes(page, pace, range(7))
+    assert any(text.startswith("Outcome 7 of 7") for text in texts(last))
+    assert any("a sample of 7 of 600" in text for text in texts(last))
+    assert sum(text.endswith("of 600 with contact") for text in texts(last)) == 2
 
 
 def test_odd_sizes_are_refused_and_a_file_that_cannot_be_written_is_reported(comparison, tmp_path):
