@@ -108,8 +108,8 @@ def log_figure_of_dots(
     path, colour = entities.dots(rollouts.names[side]), theme.action_colour(rollouts.names[side])
     pixels, parts = paint_dots(rollouts, side, theme)
     log_figure(stream, path, pixels)
-    for number, part in enumerate(parts):
-        dots, at = part.dots, f"{path}/{number}"
+    for part in parts:
+        dots, at = part.dots, f"{path}/{part.name}"
         told = dots_told_by(dots.arrivals, outcomes_told(rollouts, side))
         marks = Marks(part.places, dots.arrivals, told)
         # half of it, since the figure is drawn at twice the size
