@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
 
 Numbers: TypeAlias = "float | NDArray[Any] | Sequence[Numbers]"
 """What callers may hand in where NumPy does the work."""

@@ -3,16 +3,24 @@
 Intervals are 95 % percentile bootstrap intervals of a mean over seeds (Efron and Tibshirani, "An
 Introduction to the Bootstrap", 1993, section 13.3), from a fixed seed. Every seed has a split,
 pairs and answers of its own, but all seeds share one bank: intervals speak of the bank's scenes.
+
+One seed of five may carry a mean. Beside it therefore stand the median and the interquartile mean,
+which is that of the middle half of the seeds and has an interval of its own (Agarwal et al., "Deep
+Reinforcement Learning at the Edge of the Statistical Precipice", NeurIPS 2021). Their bootstrap is
+stratified: it draws anew within every task. A curve here is of a single teacher and learner, so
+every point of it is one stratum.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from functools import lru_cache
 from itertools import product
 from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
 
-from learners.arrays import FloatArray, IntArray
+from learners.arrays import BoolArray, FloatArray, IntArray
 from learners.errors import InputError
 from learners.names import check_name
 from learners.seeds import Stream, generator
@@ -37,6 +45,21 @@ class Spread:
     std: Entry  # standard deviation over seeds; 0 for a single seed
     low: Entry  # lower end of the 95 % interval of the mean
     high: Entry  # upper end of that interval
+    median: Entry  # over seeds
+    middle: Entry  # interquartile mean: of the middle half of the seeds
+    middle_low: Entry  # lower end of the 95 % interval of the interquartile mean
+    middle_high: Entry  # upper end of that interval
+    samples: Entry  # one entry a seed, along the first axis
+
+    def of(self, place: int) -> "Spread":
+        """The same of one number of a column of lists."""
+        entries = {each.name: getattr(self, each.name) for each in fields(self)}
+        return Spread(
+            **{
+                name: entry if name == "runs" else entry[..., place]
+                for name, entry in entries.items()
+            }
+        )
 
 
 @dataclass(frozen=True)
@@ -59,18 +82,44 @@ class Curve:
     column: str
     pairs: IntArray  # [n], ascending
     runs: IntArray  # [n]
-    mean: FloatArray  # [n], or [n, D] for a column of lists; the shape of the three below too
+    mean: FloatArray  # [n], or [n, D] for a column of lists; the shape of the seven below too
     std: FloatArray
     low: FloatArray
     high: FloatArray
+    median: FloatArray
+    middle: FloatArray
+    middle_low: FloatArray
+    middle_high: FloatArray
+    samples: tuple[FloatArray, ...]  # n arrays, [runs] or [runs, D]: one entry a seed
 
     def at(self, pairs: int) -> Spread | None:
         """What the curve says after this number of pairs; None if it has no such point."""
         if pairs not in self.pairs:
             return None
         place = np.searchsorted(self.pairs, pairs)
-        sides = (side[place] for side in (self.mean, self.std, self.low, self.high))
-        return Spread(int(self.runs[place]), *sides)
+        return Spread(
+            runs=int(self.runs[place]),
+            **{each.name: getattr(self, each.name)[place] for each in fields(Spread)[1:]},
+        )
+
+    def where(self, kept: BoolArray) -> "Curve":
+        """The curve at some of its points alone, [n]."""
+        places = np.flatnonzero(kept)
+        points: dict[str, Any] = {
+            name: getattr(self, name)[places]
+            for name in ("pairs", *(each.name for each in fields(Spread)))
+            if name != "samples"
+        }
+        return replace(self, **points, samples=tuple(self.samples[place] for place in places))
+
+    def mapped(self, change: Callable[[Entry], Entry]) -> "Curve":
+        """The curve of the column after a linear change without offset, such as one of unit."""
+        numbers: dict[str, Any] = {
+            each.name: change(getattr(self, each.name))
+            for each in fields(Spread)
+            if each.name not in ("runs", "samples")
+        }
+        return replace(self, **numbers, samples=tuple(map(change, self.samples)))
 
 
 @dataclass(frozen=True)
@@ -112,14 +161,16 @@ def learning_curves(table: pa.Table, column: str = "regret_percent") -> list[Cur
         by_pairs = found.get((teacher, learner), {})
         runs = {pairs: np.array(list(by_pairs[pairs].values())) for pairs in sorted(by_pairs)}
         if runs:
-            mean = np.array([samples.mean(axis=0) for samples in runs.values()])
-            std = np.array(
-                [
-                    samples.std(axis=0, ddof=1) if len(samples) > 1 else 0.0 * samples[0]
-                    for samples in runs.values()
-                ]
+            curves.append(
+                Curve(
+                    teacher,
+                    learner,
+                    column,
+                    samples=tuple(runs.values()),
+                    **_averages(list(runs.values())),
+                    **_intervals(runs),
+                )
             )
-            curves.append(Curve(teacher, learner, column, mean=mean, std=std, **_intervals(runs)))
     return curves
 
 
@@ -170,11 +221,65 @@ def mean_interval(samples: FloatArray) -> tuple[FloatArray, FloatArray]:
 
     The interval of a single sample is that sample, which says nothing of its spread.
     """
-    count = len(samples)
-    draws = generator(0, Stream.BOOTSTRAP).integers(count, size=(RESAMPLES, count))
-    means = samples[draws].mean(axis=1)
-    low, high = np.quantile(means, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0], axis=0)
+    return _ends(np.einsum("rn,n...->r...", _shares(len(samples))[0], samples))
+
+
+def middle_mean(samples: FloatArray) -> FloatArray:
+    """Interquartile mean of samples [n, ...], [...]: a quarter is left out at either end.
+
+    A quarter of n samples is rounded down, so that of fewer than four none is left out.
+    """
+    left_out = len(samples) // 4
+    mean: FloatArray = np.sort(samples, axis=0)[left_out : len(samples) - left_out].mean(axis=0)
+    return mean
+
+
+def middle_interval(samples: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """95 % bootstrap interval of the interquartile mean of samples [n, ...], two ends [...]."""
+    # of sorted samples, the middle ones of a draw are those of the middle places of its ranks
+    ranked = np.sort(samples, axis=0)
+    return _ends(np.einsum("rn,n...->r...", _shares(len(samples))[1], ranked))
+
+
+@lru_cache(maxsize=4)  # a study has few numbers of seeds, and the shares of many take room
+def _shares(count: int) -> tuple[FloatArray, FloatArray]:
+    """How much each of n samples counts in draws of n of them, the same draws every time.
+
+    Returns:
+        [RESAMPLES, n] shares of a mean over the draw, and the same of its interquartile mean, for
+        samples in ascending order.
+    """
+    drawn = np.sort(generator(0, Stream.BOOTSTRAP).integers(count, size=(RESAMPLES, count)), axis=1)
+    left_out = count // 4
+    shares = []
+    for places in (drawn, drawn[:, left_out : count - left_out]):
+        cells = (places + count * np.arange(RESAMPLES)[:, None]).ravel()
+        counts = np.bincount(cells, minlength=RESAMPLES * count).reshape(RESAMPLES, count)
+        shares.append(counts / places.shape[1])
+    return shares[0], shares[1]
+
+
+def _ends(draws: FloatArray) -> tuple[FloatArray, FloatArray]:
+    low, high = np.quantile(draws, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0], axis=0)
     return low, high
+
+
+def _averages(runs: list[FloatArray]) -> dict[str, Any]:
+    """What stands in the middle of the samples of each number of pairs, and how they scatter."""
+    middles = [middle_interval(samples) for samples in runs]
+    return {
+        "mean": np.array([samples.mean(axis=0) for samples in runs]),
+        "std": np.array(
+            [
+                samples.std(axis=0, ddof=1) if len(samples) > 1 else 0.0 * samples[0]
+                for samples in runs
+            ]
+        ),
+        "median": np.array([np.median(samples, axis=0) for samples in runs]),
+        "middle": np.array([middle_mean(samples) for samples in runs]),
+        "middle_low": np.array([low for low, _ in middles]),
+        "middle_high": np.array([high for _, high in middles]),
+    }
 
 
 def _intervals(runs: dict[int, FloatArray]) -> dict[str, Any]:

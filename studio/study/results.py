@@ -3,7 +3,7 @@
 import itertools
 import json
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
@@ -229,11 +229,7 @@ class StudyResults:
         curve = self.family_curve("regret", family, teacher, learner)
         if curve is None:
             return None
-        sides: dict[str, Any] = {
-            name: self.percents(teacher, family, getattr(curve, name))
-            for name in ("mean", "std", "low", "high")
-        }
-        return replace(curve, **sides)
+        return curve.mapped(lambda regrets: self.percents(teacher, family, regrets))
 
     def percents(self, teacher: Teacher, family: str, regrets: ArrayLike) -> FloatArray:
         """Regrets in % of what a random action costs a teacher in a family, on average."""
@@ -304,12 +300,6 @@ class Stage:
         """A few numbers of pairs so far, from least to most, to show how something sharpens."""
         sizes = self.sizes
         return tuple(sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]})) if sizes else ()
-
-    def so_far(self, curve: Curve) -> Curve:
-        """The part of a curve that is known; without numbers if there is none yet."""
-        known = curve.pairs <= self.reached
-        names = ("pairs", "runs", "mean", "std", "low", "high")
-        return replace(curve, **{name: getattr(curve, name)[known] for name in names})
 
     def largest(self, teacher: Teacher, learner: str) -> list[Row]:
         """The fits of one learner to one teacher from the most pairs so far."""

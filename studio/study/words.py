@@ -8,7 +8,7 @@ import math
 
 from learners import FEATURES, CptParameters, Teacher
 from studio.study.results import Stage, StudyResults
-from studio.style.words import counted, learner_name, number, short, signed, teacher_name
+from studio.style.words import counted, learner_name, listed, number, short, signed, teacher_name
 
 NO_FITS = "no fits yet"
 
@@ -57,6 +57,63 @@ def study_titles(results: StudyResults) -> list[str]:
     return rest
 
 
+def findings_told(results: StudyResults) -> list[str]:
+    """Wordings of the study's result: which of two learners has less regret, and of whom.
+
+    A teacher counts where the 95 % interval of the paired difference at the most pairs leaves no
+    doubt. Without two learners it is a title that states no result.
+    """
+    if results.paired is None or not results.sizes:
+        return study_titles(results)
+    pairs, (ours, theirs) = results.sizes[-1], map(learner_name, results.paired)
+    better, worse, undecided = list[str](), list[str](), list[str]()
+    for teacher in results.taught:
+        found = results.difference(teacher, *results.paired, pairs)
+        if found is None:
+            continue
+        is_open = found.runs < 2 or found.low <= 0.0 <= found.high
+        group = undecided if is_open else better if found.difference < 0.0 else worse
+        group.append(teacher_name(teacher.name))
+    groups = [(ours, theirs, better), (theirs, ours, worse)]
+    if not better and not worse:
+        whole = short = counts = f"whether {ours} has less regret than {theirs} is open"
+    else:
+        sure = [(f"{who} has less regret than {other} for ", of) for who, other, of in groups if of]
+        short = ", ".join(claim + listed(names) for claim, names in sure)
+        whole = short + (f", for {listed(undecided)} it is open" if undecided else "")
+        everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
+        counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
+    return [
+        f"After {counted(pairs, 'pair')}, {whole}",
+        _capital(whole),
+        f"After {counted(pairs, 'pair')}, {short}",
+        _capital(short),
+        _capital(counts),
+        *study_titles(results),
+    ]
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def finding_notes(results: StudyResults) -> list[str]:
+    """What the marks of the first page mean, in sentences."""
+    if not results.fits:
+        return []
+    said = ["Regret on held-out scenes, in % of what a random action costs; both axes logarithmic"]
+    if results.seeds > 1:
+        said.append(
+            f"Line: mean over {results.seeds} seeds, band: its 95 % bootstrap interval; "
+            "dots: seeds; bars: interquartile mean with its 95 % interval"
+        )
+        if results.regrets.has_less:
+            said.append("Small triangles: seeds whose regret is less than the axis shows")
+        if results.paired:
+            said.append("In the heads: paired difference at the most pairs with its 95 % interval")
+    return [f"{note}." for note in said]
+
+
 def study_subtitles(results: StudyResults, left_out: int) -> list[str]:
     """Wordings of what was studied as a whole, if this number of its teachers is left out."""
     if not results.fits:
@@ -90,19 +147,16 @@ def reached(stage: Stage) -> str:
 
 
 def notes(stage: Stage) -> list[str]:
-    """What the lines and marks of the picture mean, in sentences."""
+    """What the lines and marks of the second page mean, in sentences, but for errors."""
     if not stage.fits:
         return []
     results, most = stage.results, reached(stage)
     seeds = len({row["seed"] for row in stage.fits})
     said = []
     if seeds > 1:
-        said.append(
-            f"Regret (logarithmic axes) and picks: mean over {seeds} seeds, "
-            "band: its 95 % bootstrap interval"
-        )
+        said.append(f"Picks: mean over {seeds} seeds, band: its 95 % bootstrap interval")
         if len(results.learners) > 1:
-            said.append(f"[ ]: 95 % interval of the paired difference at {most}")
+            said.append(f"[ ]: 95 % interval of the paired difference of regrets at {most}")
     if results.shaped:
         shades = ", ".join(map(str, stage.sharpening))
         said.append(
@@ -118,9 +172,14 @@ def notes(stage: Stage) -> list[str]:
     each = "a dot a seed, large: mean, " if seeds > 1 else ""
     numbers = "Reward and parameters" if results.shaped else "Reward"
     said.append(f"{numbers} at {most}: {each}bar: teacher")
-    if len(stage.sizes) > 1:
-        said.append(f"Errors: bold {most}, thin {stage.sizes[0]}")
     return [f"{note}." for note in said]
+
+
+def error_notes(stage: Stage) -> list[str]:
+    """What the lines of prediction errors mean, in sentences; none if there is but one kind."""
+    if len(stage.sizes) < 2:
+        return []
+    return [f"Errors: bold {reached(stage)}, thin {stage.sizes[0]}."]
 
 
 def verdicts(stage: Stage, teacher: Teacher) -> list[str]:
@@ -170,13 +229,15 @@ def lesson(results: StudyResults, teacher: Teacher) -> str:
     found = results.difference(teacher, best, worst, pairs)
     if found is None:
         return f"{names} in the mean."
-    sides = (found.difference, found.high, found.low)
-    less, low, high = (number(-side + 0.0, ".2f") for side in sides)
+    shift, low, high = map(signed, (found.difference, found.low, found.high))
+    if shift == signed(0.0):
+        both = f"The {learner_called(best)} and the {learner_called(worst)}"
+        return f"{both} have the same regret in the mean, to 0.01 percentage points."
     if found.runs == 1:
-        return f"{names} in the one seed, by {less} percentage points."
-    interval = f"{less} percentage points (95 %: {low} to {high})"
+        return f"{names} in the one seed: {shift} percentage points."
+    interval = f"{shift} percentage points [{low}, {high}]"
     if found.high < 0.0:
-        return f"{names}, by {interval}."
+        return f"{names}: {interval}."
     return f"{names} in the mean, though not for sure: {interval}."
 
 

@@ -106,7 +106,7 @@ def draw_mark(
     """Draw the mark of outcomes of a kind: a red × or square after contact, else a disc."""
     theme = canvas.theme
     if kind == PERSON:
-        cross(canvas, at, 1.1 * radius, theme.contact)
+        cross(canvas, at, 0.8 * radius, theme.contact)  # no larger: its neighbours stay apart
     elif kind == WALL:
         hollow_square(canvas, at, 0.9 * radius, theme.contact, theme.ground)
     else:

@@ -20,7 +20,7 @@ from studio.recorder.figures import log_figure
 from studio.scene.measures import NOTHING, PERSON, contact_kinds
 from studio.scene.recording.actions import MARK_REACH, class_over_time
 from studio.scene.recording.moving import CROSS, SQUARE, path_corners, rounded
-from studio.scene.recording.shown import WAY_STRIDE, Moments, log_bystanders, log_looks, log_robot
+from studio.scene.recording.shown import WAY_STRIDE, Moments, log_looks, log_people, log_robot
 from studio.style.palette import Theme, blend
 
 POSES = 20  # of an outcome that are shown after its first; more would pass too fast to see
@@ -88,7 +88,7 @@ def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: 
     log_looks(stream, path, colour, theme)
     log_robot(stream, f"{path}/robot", moments, sample, side, classes, told)
     if sample.scene.pedestrians:
-        log_bystanders(stream, f"{path}/people", moments, sample.pedestrians[side], told)
+        log_people(stream, f"{path}/people", moments, sample.pedestrians[side], told)
     arrivals, robot = ended_after(rollouts)[1:], rounded(sample.robot[side, ..., :2])
     look = rr.LineStrips2D.from_fields(
         colors=blend(colour, theme.panel, 0.45), radii=rr.Radius.ui_points(PATH)

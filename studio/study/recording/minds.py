@@ -25,7 +25,7 @@ from studio.recorder.axes import LIFT, Axes, Scale, draw_key, linear
 from studio.recorder.drawing import Drawing
 from studio.study.fits import Row, learnt_parameters
 from studio.study.recording import entities
-from studio.study.recording.over_pairs import changing_figure, learner_entries, sides
+from studio.study.recording.over_pairs import changing_figure, learner_entries
 from studio.study.results import StudyResults
 from studio.study.words import teacher_called
 from studio.style.palette import LIGHT, Colour, blend, learner_colour
@@ -218,4 +218,4 @@ def parameter_bounds(results: StudyResults) -> Bounds:
 
 def _number_of(spread: Spread, place: int) -> Spread:
     """The spread of one number of a list."""
-    return Spread(spread.runs, *(side[place] for side in sides(spread)))
+    return spread.of(place)

@@ -1,21 +1,30 @@
+import dataclasses
+
 import numpy as np
 
+from scenes import FEATURES
 from studio.comparison.telling import telling_outcomes
-from studio.scene.judgements import utilities
 from tests.studio.comparison.made_up import a_comparison
 
 
-def test_the_worst_and_the_typical_outcome_of_each_side_are_those_by_utility():
-    rollouts = a_comparison(rollouts=9).rollouts
-    worst, typical = telling_outcomes(rollouts)
-    assert (worst.name, typical.name) == ("worst", "typical")
-    worths = utilities(rollouts)
-    for side in range(2):
-        assert worths[side, worst.places[side]] == worths[side].min()
-        assert worths[side, typical.places[side]] == np.median(worths[side])
+def with_progress(progress):
+    """Rollouts of two actions that differ in nothing but this progress [2, K], without a unit."""
+    rollouts = a_comparison(rollouts=len(progress[0])).rollouts
+    features = np.zeros((*np.shape(progress), len(FEATURES)))
+    features[..., FEATURES.index("progress")] = progress
+    return dataclasses.replace(rollouts, features=features)
 
 
-def test_only_outcomes_with_paths_are_told_and_a_single_one_is_not():
-    rollouts = a_comparison(rollouts=40, paths=3).rollouts
-    assert all(place < 3 for each in telling_outcomes(rollouts) for place in each.places)
-    assert telling_outcomes(a_comparison(rollouts=1).rollouts) == ()
+def test_the_worst_and_the_typical_outcome_of_each_side_are_found():
+    told = telling_outcomes(with_progress([[0.3, 0.1, 0.2, 0.9, 0.4], [0.5, 0.4, 0.3, 0.2, 0.1]]))
+    assert [(each.name, each.places) for each in told] == [("worst", (1, 4)), ("typical", (0, 2))]
+
+
+def test_they_are_among_those_whose_paths_are_kept():
+    rollouts = with_progress([[0.3, 0.4, 0.2, 0.1], [0.1, 0.2, 0.3, 0.0]])
+    told = telling_outcomes(rollouts.keep_paths(3))
+    assert [each.places for each in told] == [(2, 0), (0, 1)]
+
+
+def test_a_single_outcome_stands_for_nothing():
+    assert telling_outcomes(with_progress([[0.3], [0.1]])) == ()

@@ -8,33 +8,36 @@ from studio.comparison.words import (
     outcomes_told,
     playing_told,
 )
-from studio.style.words import counted
 from tests.studio.comparison.made_up import a_comparison
 
 
-def test_contacts_come_with_their_interval_and_people_and_walls_apart():
-    assert contacts_in_detail(9, 3, 50)[0] == "24 % [14, 37] · × 9 a person, □ 3 a wall"
-    assert contacts_in_detail(9, 0, 50) == [
-        "18 % [10, 31] · × 9 a person",
-        "18 % [10, 31] · × 9",
-        "18 % [10, 31]",
-    ]
+def test_contacts_are_told_with_their_share_and_interval_and_people_apart_from_walls():
+    longest, *_, briefest = contacts_in_detail(3, 1, 50)
+    assert longest == "8 % [3, 19] · × 3 a person, □ 1 a wall"
+    assert briefest == "8 % [3, 19]"
+    assert contacts_in_detail(0, 2, 50)[0] == "4 % [1, 13] · □ 2 a wall"
     assert contacts_in_detail(0, 0, 50) == ["0 % [0, 7]"]
+    assert contacts_in_detail(600, 0, 5000)[0] == "12 % [11.1, 12.9] · × 600 a person"
 
 
 @pytest.mark.parametrize(
-    ("people", "told"),
-    [(0, ""), (1, "1 person"), (2, "2 people"), (5, "5 people (3 in view, 2 not)")],
+    ("starts", "told"),
+    [
+        ([], ""),
+        ([(0.5, 0.5)], "1 person"),
+        ([(0.5, 0.5), (0.1, 0.9)], "2 people"),
+        ([(0.5, 0.5), (9.0, 0.0), (0.0, 9.0)], "3 people (1 in view, 2 not)"),
+    ],
 )
-def test_people_are_counted_who_are_in_view_and_who_are_not(people, told):
-    crowd = tuple(Pedestrian((4.0 * place, 0.0), (0.0, -9.0)) for place in range(people))
-    scene = Scene("a-scene", Robot((-1.0, 0.0), (9.0, 0.0)), crowd)
-    assert crowd_told(scene, (-2.0, -2.0, 10.0, 2.0)) == told
+def test_people_in_view_and_out_of_it_are_counted(starts, told):
+    people = tuple(Pedestrian(start, (5.0, 5.0)) for start in starts)
+    scene = Scene("a-scene", Robot((0.0, 0.0), (5.0, 0.0)), people)
+    assert crowd_told(scene, (0.0, 0.0, 1.0, 1.0)) == told
 
 
-def test_it_is_told_how_many_outcomes_a_dot_stands_for():
+def test_a_dot_stands_for_one_outcome_unless_there_are_many():
     assert dots_told(50, 50) == "a dot: one outcome"
-    assert dots_told(5000, 50) == f"50 dots: {counted(5000, 'outcome')}"
+    assert dots_told(51, 50) == "50 dots: 51 outcomes"
 
 
 def test_what_an_outcome_was_tells_its_side_and_metres_and_no_action():
