@@ -1,8 +1,7 @@
 """Write two actions side by side, their outcomes one at a time, as a Rerun recording.
 
-It holds what the recording of a scene with these two actions holds of world and numbers, and a
-story in which one outcome after the other plays on both sides at once. `recordings/README.md` is
-its reference.
+It holds the world and numbers of a scene's recording, and a story in which one outcome after the
+other plays on both sides at once. `recordings/README.md` is its reference.
 """
 
 from collections.abc import Sequence
@@ -18,8 +17,9 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.picture.figure import FIGURE_SIZE
 from studio.comparison.recording import entities
 from studio.comparison.recording.page import comparison_page
-from studio.comparison.recording.story import log_figure_of_dots, log_story
-from studio.comparison.words import crowd_told
+from studio.comparison.recording.story import Story
+from studio.comparison.words import crowd_told, dots_told
+from studio.painter.quantile_dots import MOST_DOTS
 from studio.recorder.figures import painted_view
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.plots import bars_view, table_view
@@ -63,8 +63,9 @@ def write_comparison_recording(
         sides |= {"seed": comparison.seed, "actions": list(comparison.actions)}
         stream.send_property("comparison", rr.AnyValues(**sides))
         for side in range(len(SIDES)):
-            log_story(stream, rollouts, side, theme)
-            log_figure_of_dots(stream, rollouts, side, theme)
+            story = Story(stream, rollouts, side, theme)
+            story.log_world()
+            story.log_dots()
         log_page(stream, of_scene.ABOUT, comparison_page(comparison, judgements))
 
 
@@ -93,11 +94,11 @@ def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb
     """The outcomes of one side's action, one at a time, and below them the dots."""
     told = crowd_told(rollouts.scene, bounds) or "nobody"
     title_of_world = f"{title}: the robot, {told} (bar: {scale_length(bounds):g} m)"
-    dots, many = entities.dots(name), counted(rollouts.count, "outcome")
+    dots, stands_for = entities.dots(name), dots_told(rollouts.count, MOST_DOTS)
     return rrb.Vertical(
         world_view([f"{entities.story(name)}/**"], bounds, title_of_world),
         page_view(f"{dots}/so_far", f"{title}: so far"),
-        painted_view(dots, f"{title}: {many}", (0.0, 0.0, *FIGURE_SIZE)),
+        painted_view(dots, f"{title} · {stands_for}", (0.0, 0.0, *FIGURE_SIZE)),
         row_shares=[20, 4, 17],
     )
 
