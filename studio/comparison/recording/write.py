@@ -4,7 +4,6 @@ It holds the world and numbers of a scene's recording, and a story in which one 
 other plays on both sides at once. `recordings/README.md` is its reference.
 """
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -71,32 +70,32 @@ def write_comparison_recording(
 
 def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb.Blueprint:
     """The tabs: one outcome at a time, all at once, all numbers, and what is told afterwards."""
-    names = rollouts.names
-    titles = [
-        f"{side}: {short_label(name)}" if named else side
-        for side, name in zip(SIDES, names, strict=True)
+    sides = [
+        (f"{side}: {short_label(name)}" if named else side, name)
+        for side, name in zip(SIDES, rollouts.names, strict=True)
     ]
-    sides = list(zip(titles, names, strict=True))
     tables = [
         table_view(of_scene.outcomes(name), f"{title}: a row an outcome", "rollout", COLUMNS)
         for title, name in sides
     ]
     stories = [story_side(rollouts, title, name, bounds) for title, name in sides]
     wholes = [whole_side(rollouts, title, name, bounds) for title, name in sides]
-    about = page_view(of_scene.ABOUT, "About" if named else "Which is which")
-    rows: dict[str, Sequence[rrb.Container | rrb.View]]
-    rows = {QUESTION: stories, "All at once": wholes, "Outcomes": tables}
-    tabs = [rrb.Horizontal(*views, name=title) for title, views in rows.items()]
-    return opening([*tabs, about], entities.STORY)
+    tabs: list[rrb.Container | rrb.View] = [
+        rrb.Horizontal(*stories, name=QUESTION),
+        rrb.Horizontal(*wholes, name="All at once"),
+        rrb.Horizontal(*tables, name="Outcomes"),
+        page_view(of_scene.ABOUT, "About" if named else "Which is which"),
+    ]
+    return opening(tabs, entities.STORY)
 
 
 def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """The outcomes of one side's action, one at a time, and below them the dots."""
-    told = crowd_told(rollouts.scene, bounds) or "nobody"
-    title_of_world = f"{title}: the robot, {told} (bar: {scale_length(bounds):g} m)"
+    crowd = crowd_told(rollouts.scene, bounds) or "nobody"
+    told = f"{title}: the robot, {crowd} (bar: {scale_length(bounds):g} m)"
     dots, stands_for = entities.dots(name), dots_told(rollouts.count, MOST_DOTS)
     return rrb.Vertical(
-        world_view([f"{entities.story(name)}/**"], bounds, title_of_world),
+        world_view([f"{entities.story(name)}/**"], bounds, told),
         page_view(f"{dots}/so_far", f"{title}: so far"),
         painted_view(dots, f"{title} · {stands_for}", (0.0, 0.0, *FIGURE_SIZE)),
         row_shares=[20, 4, 17],
@@ -107,12 +106,10 @@ def whole_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb
     """All paths under one side's action at once, and how its outcomes are distributed."""
     sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count}"
     title = f"{title}: {counted(rollouts.paths, 'path')}{sample}"
+    shown = [(each.feature, each.title) for each in measured(rollouts) if each.unit]
     plots = [
-        bars_view(
-            of_scene.histogram(each.feature, name), each.title, of_scene.any_action(each.feature)
-        )
-        for each in measured(rollouts)
-        if each.unit
+        bars_view(of_scene.histogram(feature, name), heading, of_scene.any_action(feature))
+        for feature, heading in shown
     ]
     world = world_view([f"{of_scene.action(name)}/**"], bounds, title)
     return rrb.Vertical(world, rrb.Horizontal(*plots), row_shares=[2, 1])
