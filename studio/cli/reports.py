@@ -37,7 +37,7 @@ def frames_report(frames: Iterable[tuple[int, int]]) -> list[str]:
 def sampled_report(plan: BankPlan, bank: Path) -> list[str]:
     """How much an outcome bank of this plan holds."""
     rows = plan.scenes * len(plan.actions) * plan.rollouts
-    return [f"{bank}  {rows:,} outcomes of {plan.scenes} scenes, {_file_size(bank)}"]
+    return [f"{bank}  {rows} outcomes of {plan.scenes} scenes, {_file_size(bank)}"]
 
 
 def recorded_report(recorded: Recorded) -> list[str]:
