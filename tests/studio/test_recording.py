@@ -155,7 +155,9 @@ def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> N
         recording.still(Look(), Excerpt(start=11, end=29))
 
 
-@pytest.mark.parametrize("name", ["scene-edition-1", "scene-edition-2", "learning-edition-1"])
+@pytest.mark.parametrize(
+    "name", ["scene-edition-1", "scene-edition-2", "learning-edition-1", "learning-edition-2"]
+)
 def test_recordings_of_an_older_edition_are_painted(name: str, old: Callable[[str], Path]) -> None:
     recording = old(name)
     result = render(recording, "--fps", "5")
