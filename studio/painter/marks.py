@@ -62,11 +62,13 @@ def hollow_square(
     canvas: Canvas, at: Point | FloatArray, radius: float, colour: Colour, inside: Colour
 ) -> None:
     """Draw the outline of a square, as far (px) from its middle to its sides."""
-    x, y = float(at[0]), float(at[1])
-    pen = max(1.0, 0.4 * radius)
-    for reach, shade in ((radius, colour), (radius - pen, inside)):
-        corners = [(x - reach, y - reach), (x + reach, y - reach), (x + reach, y + reach)]
-        canvas.polygon([*corners, (x - reach, y + reach)], shade)
+    # on whole pixels, or thin outlines would be pale
+    pen = max(1, round(0.4 * radius))
+    side = max(round(2 * radius), 2 * pen + 1)
+    left, top = round(float(at[0]) - side / 2), round(float(at[1]) - side / 2)
+    outer = Box(left, top, left + side, top + side)
+    canvas.fill(outer, colour)
+    canvas.fill(outer.inset(pen), inside)
 
 
 def draw_icons(

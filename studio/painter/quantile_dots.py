@@ -22,6 +22,7 @@ class QuantileDots:
 
     values: FloatArray  # [N], ascending among those of a kind, where the dots lie
     kinds: IntArray  # [N], of each dot, ascending
+    sources: IntArray  # [N], index of the one value that a dot stands for, -1 if it is for several
 
     @classmethod
     def of(cls, values: FloatArray, kinds: IntArray) -> "QuantileDots":
@@ -29,16 +30,17 @@ class QuantileDots:
 
         Each kind has its share of the dots, rounded, and its own quantiles.
         """
-        count = min(len(values), MOST_DOTS)
-        sizes = np.bincount(kinds)
-        dots = _shared_out(sizes, count)
+        order = np.lexsort((values, kinds))
+        if len(values) <= MOST_DOTS:
+            return cls(values[order], kinds[order], order)
+        numbers = _shared_out(np.bincount(kinds), MOST_DOTS)
         own = [
             np.quantile(values[kinds == kind], (np.arange(number) + 0.5) / number)
-            if number < size
-            else np.sort(values[kinds == kind])
-            for kind, (number, size) in enumerate(zip(dots, sizes.tolist(), strict=True))
+            for kind, number in enumerate(numbers)
+            if number
         ]
-        return cls(np.concatenate(own), np.repeat(np.arange(len(dots)), dots))
+        labels = np.repeat(np.arange(len(numbers)), numbers)
+        return cls(np.concatenate(own), labels, np.full(MOST_DOTS, -1))
 
 
 def _shared_out(sizes: IntArray, count: int) -> list[int]:

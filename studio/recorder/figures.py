@@ -36,15 +36,9 @@ def log_figure(
     stream.log(path, image, static=static)
 
 
-def painted_view(path: str, size: tuple[int, int], title: str) -> rrb.View:
-    """A view of a figure of this width and height (px), and of all that lies below its path."""
-    width, height = size
-    return rrb.Spatial2DView(
-        origin=f"/{path}",
-        name=title,
-        background=LIGHT.ground,
-        visual_bounds=rrb.VisualBounds2D(x_range=[0.0, width], y_range=[0.0, height]),
-    )
+def painted_view(path: str, title: str) -> rrb.View:
+    """A view of a figure, and of all that lies below its path; it shows all of the figure."""
+    return rrb.Spatial2DView(origin=f"/{path}", name=title, background=LIGHT.ground)
 
 
 def palette_png(pixels: PixelArray) -> bytes:

@@ -34,10 +34,17 @@ def log_bars(
     stream.log(path, bars, static=static)
 
 
-def bars_view(path: str, title: str) -> rrb.View:
-    """A view of all bars at a path and below it. Its scales hold all of them, and begin at 0."""
+def bars_view(path: str, title: str, behind: str | None = None) -> rrb.View:
+    """A view of all bars at a path and below it. Its scales hold all of them, and begin at 0.
+
+    The path of further bars may be given that lie behind them, earlier in the alphabet.
+    """
     return rrb.BarChartView(
-        origin=f"/{path}", name=title, plot_legend=rrb.PlotLegend(visible=False), background=_PAPER
+        origin=f"/{path}",
+        contents=[f"+ /{path}/**"] + ([f"+ /{behind}"] if behind else []),
+        name=title,
+        plot_legend=rrb.PlotLegend(visible=False),
+        background=_PAPER,
     )
 
 

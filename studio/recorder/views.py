@@ -1,6 +1,6 @@
 """How a recording looks when it opens: its tabs, their views, and the time that plays.
 
-Every view costs about ten kilobytes, and every style that a view lays over the data five more, so
+Every view costs about eight kilobytes, and every style that a view lays over the data five more, so
 views are few and show things as they were logged.
 """
 
@@ -12,7 +12,7 @@ import rerun.blueprint as rrb
 from rerun.encodings import EntityPathLike
 
 from studio.arrays import Bounds
-from studio.recorder.drawing import GROUND
+from studio.style.palette import LIGHT
 
 Overrides = dict[EntityPathLike, rrb.VisibleTimeRanges]
 """What holds for some entities in one view only."""
@@ -52,16 +52,19 @@ def opening(
 def drawn_view(
     contents: Iterable[str], bounds: Bounds, title: str, overrides: Overrides | None = None
 ) -> rrb.View:
-    """A view of drawn things on light ground.
+    """A view of drawn things, in which y counts upwards, on light ground.
 
-    The contents are entities; `/**` at the end of one stands for everything below it.
+    The contents are entities; `/**` at the end of one stands for everything below it, and a `-`
+    before it leaves out what an entity before it holds.
     """
     x0, y0, x1, y1 = bounds
+    rules = (path if path.startswith("- ") else f"+ {path}" for path in contents)
     return rrb.Spatial2DView(
         # only views from the root apply the transform that turns y upwards
         origin="/",
-        contents=[f"+ /{path}" for path in (GROUND, *contents)],
+        contents=[f"{rule[:2]}/{rule[2:]}" for rule in rules],
         name=title,
+        background=LIGHT.panel,
         visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
         overrides=overrides,
     )

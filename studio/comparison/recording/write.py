@@ -23,6 +23,7 @@ from studio.recorder.stream import recording_to
 from studio.recorder.views import drawn_view, gathering, opening, page_view
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
+from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities as of_scene
 from studio.scene.recording.blueprint import VIEW_SHAPE, world_view
 from studio.scene.recording.write import identity, log_simulation
@@ -47,7 +48,9 @@ def write_comparison_recording(
         stream.send_recording_name(
             f"{rollouts.scene.name}: {action_label(left)} or {action_label(right)}"
         )
-        log_simulation(stream, rollouts, judgements, bounds, package_versions(), theme)
+        log_simulation(
+            stream, rollouts, judgements, bounds, gap_over_time(rollouts), package_versions(), theme
+        )
         stream.send_property(
             "comparison",
             rr.AnyValues(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenes import Rollouts
+from scenes.features import gaps
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, PixelArray
 from studio.painter.canvas import Canvas
@@ -86,6 +87,7 @@ class MovingScene:
     def draw_first_contact(self, contact: "FirstContact") -> None:
         """Ring the place of the first contact of all rollouts, and say what was touched."""
         canvas, theme, size = self._canvas, self._canvas.theme, self._canvas.type.heading
+        draw_people(canvas, self._view, contact.people)
         x, y = self._view.to_pixels(contact.place).tolist()
         angles = np.linspace(0.0, math.tau, 49)
         around = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
@@ -106,6 +108,7 @@ class FirstContact:
     time: float  # s
     thing: str  # person or wall
     place: FloatArray  # of the robot, [2], m
+    people: FloatArray  # whom it touches, [N, 2], m
 
     @classmethod
     def of(cls, rollouts: Rollouts, index: int) -> "FirstContact | None":
@@ -117,8 +120,9 @@ class FirstContact:
         first = int(touching[steps[touching].argmin()])
         step = int(steps[first])
         is_person = rollouts.person_step[index, first] == step
-        place = rollouts.robot[index, first, step, :2]
-        return cls(step * rollouts.dt, "person" if is_person else "wall", place)
+        pose, people = rollouts.robot[index, first, step], rollouts.pedestrians[index, first, step]
+        touched = people[gaps(pose, people) < 0.0]
+        return cls(step * rollouts.dt, "person" if is_person else "wall", pose[:2], touched)
 
 
 class Ghosts:

@@ -93,7 +93,7 @@ def _frame(
 ) -> tuple[Axis, Axis, Box]:
     """Draw title, ground, grid and numbers of a plot; its axes across and upwards, its panel."""
     rest = caption(canvas, box, titles)
-    x_ticks, y_ticks = ticks(*x_range, 4), ticks(*y_range, 4)
+    x_ticks, y_ticks = ticks(*x_range, 4), ticks(*y_range, 4 if y_range[0] >= 0.0 else 5)
     left = rest.left + gutter(canvas, [number(y) for y in y_ticks])
     # no taller than wide, so that slopes can be compared
     bottom = min(rest.bottom - foot(canvas), rest.top + rest.right - left)

@@ -36,10 +36,10 @@ from studio.scene.picture.scenery import (
     view_of,
 )
 from studio.scene.picture.so_far import Course, OutcomesSoFar, courses
+from studio.scene.picture.strip import ActionStrip
 from studio.scene.picture.titles import draw_heading_in_line, joined, subtitles, titles
 from studio.scene.selection import only
-from studio.style.palette import LIGHT, Colour, Theme
-from studio.style.words import action_label
+from studio.style.palette import LIGHT, Theme
 
 # lengths of time in the film, s
 _LONGEST_ACTION = 2.0  # playing one action takes no longer
@@ -70,7 +70,8 @@ def compose_film(
     order = telling_order(rollouts, judgements)
     theme = theme.of(rollouts.names)
     shown = only(rollouts, [rollouts.names[index] for index in order]).with_paths()
-    page = lay_out_film(shown, size, theme, of=rollouts.count)
+    judged = [judgement.of(order) for judgement in judgements]
+    page = lay_out_film(shown, size, theme, judged, rollouts.count)
     start, end = span or (0.0, rollouts.horizon)
     if not 0.0 <= start < end <= rollouts.horizon:
         raise InputError(
@@ -157,15 +158,20 @@ class FilmPage:
     clock: Box  # the line below the scene
     strip: tuple[Box, ...]  # one cell an action, at the foot of the page
     courses: tuple[Course, ...]  # what develops beside the scene
+    judgements: tuple[Judgement, ...]  # of the actions in the order in which they are played
     sample_of: int  # how many rollouts there are of each action, of which the film may show fewer
 
 
 def lay_out_film(
-    rollouts: Rollouts, size: tuple[int, int], theme: Theme = LIGHT, of: int = 0
+    rollouts: Rollouts,
+    size: tuple[int, int],
+    theme: Theme = LIGHT,
+    judgements: Sequence[Judgement] = (),
+    of: int = 0,
 ) -> FilmPage:
     """Draw what all frames share; raises what `compose_film` raises.
 
-    The rollouts may be a sample `of` more.
+    The actions are played in their order. The rollouts may be a sample `of` more.
     """
     canvas = Canvas(*size, theme.of(rollouts.names))
     kind, unit, page = canvas.type, canvas.unit, canvas.page
@@ -194,8 +200,8 @@ def lay_out_film(
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
     cells = strip.columns([1.0] * count, 12 * unit)
-    sample_of = max(of, rollouts.count)
-    return FilmPage(canvas, view, side, clock, cells, courses(rollouts), sample_of)
+    shared, sample_of = (canvas, view, side, clock, cells), max(of, rollouts.count)
+    return FilmPage(*shared, courses(rollouts), tuple(judgements), sample_of)
 
 
 # One action
@@ -210,7 +216,7 @@ def play_action(
         One and the same canvas, drawn anew for each frame.
     """
     canvas = page.canvas.copy()
-    strip = _Strip(canvas, page.strip, rollouts, index)
+    strip = ActionStrip(canvas, page.strip, rollouts, page.judgements, index)
     so_far = OutcomesSoFar(canvas, page.side, rollouts, index, page.courses)
     scene = MovingScene(canvas.clipped(page.view.box), page.view, rollouts, index)
     contact = FirstContact.of(rollouts, index)
@@ -253,49 +259,3 @@ def _draw_clock(
     room, at = 0.8 * box.width - (left - box.left), (left, box.centre[1])
     wordings = joined((speed, told, marks, dashed), (speed, marks, dashed), (speed, told), (speed,))
     canvas.fit(at, wordings, room, size, faint)
-
-
-class _Strip:
-    """All actions at the foot of the page: those that were played, the one that is, the rest."""
-
-    def __init__(
-        self, canvas: Canvas, cells: Sequence[Box], rollouts: Rollouts, index: int
-    ) -> None:
-        colours = [canvas.theme.action_colour(name) for name in rollouts.names]
-        self._canvas, self._cell, self._colour = canvas, cells[index], colours[index]
-        kind, theme = canvas.type, canvas.theme
-        for action, (cell, colour) in enumerate(zip(cells, colours, strict=True)):
-            self._draw_bar(cell, theme.grid, 1.0)
-            if action < index:
-                self._draw_bar(cell, colour, 1.0)
-            name = action_label(rollouts.names[action])
-            ink = theme.legible(colour) if action <= index else theme.faint
-            at = (cell.left, cell.top + 1.2 * kind.body)
-            canvas.fit(at, name, cell.width, kind.body, ink, SEMIBOLD)
-            if action < index:
-                self._draw_contacts(cell, rollouts, action)
-
-    def _draw_contacts(self, cell: Box, rollouts: Rollouts, action: int) -> None:
-        """Write how often an action that was played led to contact."""
-        kind, theme, count = self._canvas.type, self._canvas.theme, rollouts.count
-        people = int((rollouts.person_step[action] >= 0).sum())
-        walls = int(rollouts.wall_touched[action].sum())
-        if walls:
-            told = [
-                f"× {people} · □ {walls} of {count}",
-                f"× {people} □ {walls}",
-                f"{people}+{walls}",
-            ]
-        else:
-            told = [f"× {people} of {count}", f"× {people}", f"{people}"]
-        at, ink = (cell.left, cell.top + 2.4 * kind.body), theme.faint
-        ink = theme.contact if people or walls else theme.faint
-        self._canvas.fit(at, told, cell.width, kind.small, ink)
-
-    def draw(self, share: float) -> None:
-        """Fill the bar of the action that is played up to this share."""
-        self._draw_bar(self._cell, self._colour, share)
-
-    def _draw_bar(self, cell: Box, colour: Colour, share: float) -> None:
-        right = cell.left + share * cell.width
-        self._canvas.fill(Box(cell.left, cell.top, right, cell.top + 4 * self._canvas.unit), colour)

@@ -45,10 +45,14 @@ def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
     draw_head(canvas, name, ["Action"], [""], canvas.theme.ink, size)
     counts, of = [who.sum(axis=1) for who in touched.values()], rollouts.count
     words = _ContactWords.fit(canvas, rows, columns[0].width, counts, of)
-    for column, thing, number, told in zip(columns, touched, counts, words, strict=False):
-        below = [f"a {thing}, of {of:,} rollouts", f"a {thing}, of {of:,}", f"a {thing}"]
+    for place, (column, thing) in enumerate(zip(columns, touched, strict=False)):
+        below = [
+            f"a {thing}, {words.below}",
+            f"a {thing}, %" if "%" in words.below else f"a {thing}",
+        ]
         draw_head(canvas, column, ["Touched"], below, canvas.theme.ink, size)
-        _draw_contacts(canvas, column, rows, number, of, thing, told)
+        told = list(zip(words.counts[place], words.shares[place], strict=True))
+        _draw_contacts(canvas, column, rows, counts[place], of, thing, told)
     features = columns[len(touched) :]
     most = [
         _draw_measure(canvas, column, rows, measure, worth, kinds, size)
@@ -86,27 +90,32 @@ def _notes(rollouts: Rollouts, most: Sequence[int]) -> list[str]:
 
 @dataclass(frozen=True)
 class _ContactWords:
-    """In how many rollouts a kind of thing was touched, in words."""
+    """In how many rollouts several kinds of things were touched, in words that fit their columns.
 
-    counts: list[str]  # an action each; empty where there is no room for them
-    shares: list[str]  # an action each: the share with its interval, or the interval alone
+    Where there is room, they are counts and shares in percent; else shares alone.
+    """
+
+    below: str  # what is counted, for below the title
+    counts: list[list[str]]  # of each kind, an action each; empty where there is no room for them
+    shares: list[list[str]]  # of each kind, an action each: the share and its interval
 
     @classmethod
     def fit(
         cls, canvas: Canvas, rows: ActionRows, width: float, touched: list[IntArray], count: int
-    ) -> "list[_ContactWords]":
-        """Words for several kinds of things, alike for all, that fit columns of a width, px."""
+    ) -> "_ContactWords":
+        """Words that fit columns of a width, px."""
+        small, size = canvas.type.small, rows.type_size(canvas)
         numbers = [[f"{number:,}" for number in own.tolist()] for own in touched]
         shares = [[_share_told(number, count) for number in own.tolist()] for own in touched]
-        small, size = canvas.type.small, rows.type_size(canvas)
         widest = max(canvas.measure(text, small) for own in shares for text in own)
-        counts = max(canvas.measure(text, size, SEMIBOLD) for own in numbers for text in own)
-        if counts + 6 * canvas.unit + widest > width:
-            if widest <= width:
-                numbers = [[""] * len(own) for own in numbers]
-            else:
-                shares = [[text.split(" % ")[1] for text in own] for own in shares]
-        return [cls(*own) for own in zip(numbers, shares, strict=True)]
+        widest += max(canvas.measure(text, size, SEMIBOLD) for own in numbers for text in own)
+        if widest + 6 * canvas.unit <= width:
+            return cls(f"of {count:,}", numbers, shares)
+        nothing = [[""] * len(own) for own in numbers]
+        shares = [[text.replace(" %", "") for text in own] for own in shares]
+        if any(canvas.measure(text, small) > width for own in shares for text in own):
+            shares = [[text.split(" ", 1)[1] for text in own] for own in shares]
+        return cls(f"% of {count:,}", nothing, shares)
 
 
 def _share_told(touched: int, count: int) -> str:
@@ -121,7 +130,7 @@ def _draw_contacts(
     touched: IntArray,
     count: int,
     thing: str,
-    words: _ContactWords,
+    told: Sequence[tuple[str, str]],
 ) -> None:
     """Draw in how many rollouts a kind of thing was touched, with the interval of the share.
 
@@ -129,9 +138,9 @@ def _draw_contacts(
     """
     unit, theme, small = canvas.unit, canvas.theme, canvas.type.small
     axis = Axis(0.0, 100.0, column.left, column.right)
-    cells = zip(rows.cells(column), touched.tolist(), words.counts, words.shares, strict=False)
+    cells = zip(rows.cells(column), touched.tolist(), told, strict=False)
     has_lanes = rows.row >= 1.25 * small + 7 * unit
-    for cell, number, counted, text in cells:
+    for cell, number, (counted, text) in cells:
         share, lane = wilson(number, count), cell.bottom - 4.5 * unit
         middle = (cell.top + lane) / 2 - unit if has_lanes else cell.centre[1]
         ink, weight = (theme.contact, SEMIBOLD) if number else (theme.faint, REGULAR)

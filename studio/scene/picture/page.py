@@ -47,9 +47,9 @@ def compose_picture(
     body = Box(page.left, top, page.right, page.bottom)
     scene, worths, outcomes, minds = _parts(canvas, body, rollouts)
     view = draw_scene(canvas, scene, rollouts, judgements)
-    end = draw_utilities(canvas, worths, rollouts, judgements)
+    drawn = draw_utilities(canvas, worths, rollouts, judgements)
     # few actions need less room than there is
-    top = outcomes.top - worths.bottom + end
+    top = outcomes.top - worths.bottom + drawn.bottom
     draw_outcomes(canvas, Box(outcomes.left, top, outcomes.right, outcomes.bottom), rollouts)
     _draw_minds(canvas, minds, rollouts, judgements)
     ink, faint = canvas.theme.ink, canvas.theme.faint

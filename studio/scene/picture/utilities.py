@@ -6,10 +6,12 @@ the action: the certainty equivalent of its value V. At the right stands V itsel
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from scenes import Rollouts
+from studio.arrays import FloatArray, IntArray
 from studio.painter.axes import Axis, axis_with_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
@@ -32,13 +34,19 @@ _LEAST_PLOT = 0.2  # share of the figure's width that the dots have at least
 _LOWEST, _HIGHEST = 20.0, 130.0  # rows, in units of the page
 
 
+@dataclass(frozen=True)
+class DrawnUtilities:
+    """What of the figure lies where on the page, px."""
+
+    bottom: float  # where the figure ends: the end of its box, or above it
+    dots: list[FloatArray]  # of every action that is shown: middles of the dots, [N, 2]
+    rollouts: list[IntArray]  # and which rollout each dot is, [N]; -1 if it stands for several
+
+
 def draw_utilities(
     canvas: Canvas, box: Box, rollouts: Rollouts, judgements: Sequence[Judgement]
-) -> float:
-    """Draw the figure in a box of a page; there may be any number of teachers, also none.
-
-    Returns where it ends, which is the end of the box or above it, px.
-    """
+) -> DrawnUtilities:
+    """Draw the figure in a box of a page; there may be any number of teachers, also none."""
     small, unit, faint = canvas.type.small, canvas.unit, canvas.theme.faint
     bias = bias_told(judgements, rollouts.names, rollouts.count) if judgements else ""
     footer, lowest = (3.1 + 1.3 * bool(bias)) * small, max(_LOWEST * unit, 1.05 * small)
@@ -53,14 +61,14 @@ def draw_utilities(
     rows.draw_names(canvas, names)
     heading, size = Box(box.left, box.top, plot.right, box.bottom), canvas.type.heading
     draw_head(canvas, heading, _TITLES, _legends(rollouts), canvas.theme.ink, size)
-    _draw_plot(canvas, plot, rows, rollouts, judgements)
+    places, dots = _draw_plot(canvas, plot, rows, rollouts, judgements)
     for judgement, column in zip(judgements, values, strict=True):
         _draw_values(canvas, column, rows, judgement)
     at = (box.left, rows.floor + 1.9 * small)
     placed = canvas.fit(at, _notes(judgements), box.width, small, faint, line="top")
     at, brief = (box.left, placed.bottom + 0.2 * small), bias.partition(", held")[0]
     canvas.fit(at, [bias, brief], box.width, small, faint, line="top")
-    return rows.box.bottom
+    return DrawnUtilities(rows.box.bottom, places, [each.sources for each in dots])
 
 
 def _has_two_lines(canvas: Canvas, rows: ActionRows) -> bool:
@@ -137,8 +145,8 @@ def _axis(
 
 def _draw_plot(
     canvas: Canvas, plot: Box, rows: ActionRows, rollouts: Rollouts, judgements: Sequence[Judgement]
-) -> None:
-    """Draw the dots and the teachers' marks of every action."""
+) -> tuple[list[FloatArray], list[QuantileDots]]:
+    """Draw the dots and the teachers' marks of every action; where the dots lie, and the dots."""
     theme, unit = canvas.theme, canvas.unit
     kinds, worths = contact_kinds(rollouts), utilities(rollouts)
     dots = [
@@ -150,21 +158,24 @@ def _draw_plot(
     canvas.fill(Box(zero, rows.cells(plot)[0].top, zero + canvas.hair, rows.floor), theme.grid)
     room = _DOTS * rows.row - 3 * unit
     stacks = DotStacks.fit(dots, axis, room, max(_SMALLEST_PITCH * unit, 2.0))
+    places = []
     for index, cell, colour in rows.coloured(canvas, plot):
         floor = cell.top + _DOTS * cell.height
         canvas.fill(Box(plot.left, floor, plot.right, floor + canvas.hair), theme.grid)
-        _draw_dots(canvas, stacks, dots[index], floor, colour)
+        places.append(stacks.middles(dots[index]) * (1.0, -1.0) + (0.0, floor))
+        _draw_dots(canvas, places[-1], dots[index].kinds, 0.44 * stacks.pitch, colour)
         strip = Box(plot.left, floor + canvas.hair, plot.right, cell.bottom)
         _draw_certainty_equivalents(canvas, axis, strip, judgements, index)
     axis_with_ticks(canvas, axis, rows.floor, marks)
+    return places, dots
 
 
 def _draw_dots(
-    canvas: Canvas, stacks: DotStacks, dots: QuantileDots, floor: float, colour: Colour
+    canvas: Canvas, places: FloatArray, kinds: IntArray, radius: float, colour: Colour
 ) -> None:
-    radius, theme = 0.44 * stacks.pitch, canvas.theme
-    places = stacks.middles(dots) * (1.0, -1.0) + (0.0, floor)
-    for place, kind in zip(places, dots.kinds.tolist(), strict=True):
+    """Draw dots at places [N, 2], px: discs, crosses for people and squares for walls touched."""
+    theme = canvas.theme
+    for place, kind in zip(places, kinds.tolist(), strict=True):
         if kind == PERSON:
             cross(canvas, place, 1.1 * radius, theme.contact)
         elif kind == WALL:

@@ -37,6 +37,7 @@ from studio.scene.true_walks import true_walks_told
 from studio.style.palette import blend
 from studio.style.words import action_label
 
+_MOST_WALKS = 4000  # of people, in all rollouts together; more would take a second
 _MOST_LABELS = 12  # with more actions than this, only the teachers' picks are named
 
 
@@ -91,10 +92,16 @@ def draw_scene(
 
 def _draw_walks(canvas: Canvas, view: View, rollouts: Rollouts, pen: float) -> None:
     """Draw where people walk beside the robot, under every action."""
-    grey = blend(canvas.theme.pedestrian, canvas.theme.panel, 0.8)
-    opacity = 0.6 * overlap_opacity(rollouts.paths * len(rollouts.actions))
-    people = rollouts.pedestrians.swapaxes(2, 3).reshape(-1, rollouts.steps + 1, 2)
-    draw_faint_paths(canvas, view.to_pixels(people), grey, pen, opacity)
+    grey, count = blend(canvas.theme.pedestrian, canvas.theme.panel, 0.8), _walks_shown(rollouts)
+    opacity = 0.6 * overlap_opacity(count * len(rollouts.actions))
+    walks = rollouts.pedestrians[:, :count].swapaxes(2, 3).reshape(-1, rollouts.steps + 1, 2)
+    draw_faint_paths(canvas, view.to_pixels(walks), grey, pen, opacity)
+
+
+def _walks_shown(rollouts: Rollouts) -> int:
+    """In how many rollouts of each action the walks of a crowd are shown."""
+    walks = len(rollouts.actions) * max(len(rollouts.scene.pedestrians), 1)
+    return min(rollouts.paths, max(_MOST_WALKS // walks, 10))
 
 
 def _scene_labels(
@@ -135,6 +142,8 @@ def _captions(rollouts: Rollouts) -> list[list[str]]:
     paths = [f"{thin} · bold: mean", thin]
     people = "Grey: people" if rollouts.scene.pedestrians else ""
     walks = people and f"{people} and their walks beside the robot"
+    if walks and _walks_shown(rollouts) < kept:
+        walks += f" in {_walks_shown(rollouts)} rollouts"
     groups = "joined: groups" if rollouts.scene.groups else ""
     touched = [
         told

@@ -1,118 +1,149 @@
-"""The world under each action in a recording: K robots and the people among whom each drives.
+"""The world under each action in a recording: robots and the people among whom each drives.
 
-The robot and the people of the first rollout are drawn in true size, those of the others as dots.
+All rollouts whose paths are kept are there as dots that move along `sim_time`.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
+import pyarrow as pa
 import rerun as rr
 
 from scenes import Rollouts
-from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
-from studio.scene.measures import first_contacts, touched_by
+from studio.arrays import FloatArray, IntArray
+from studio.scene.judgements import Judgement
+from studio.scene.measures import touched_by
 from studio.scene.recording import entities
+from studio.scene.recording.answers import told_of_people, told_of_rollouts
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
-    arrowheads,
-    crosses,
+    CROSS,
+    HEADING_RESOLUTION,
+    SQUARE,
+    group_bars,
     log_over_time,
-    log_people,
     path_corners,
     rounded,
     strips,
     time_columns,
 )
+from studio.scene.recording.shown import log_shown
 from studio.style.palette import Theme, blend
+from studio.style.words import action_label
 
-HEADING_RESOLUTION = 1.0 / 64.0  # headings are rounded to this, about 0.9°, rad
-ROBOT_DOT_RADIUS, PERSON_DOT_RADIUS = 0.05, 0.045  # in every rollout but the first, m
-ARROWHEAD_THICKNESS = 0.07  # of its strokes, m
-
-
-def log_action(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
-    """Show the K robots and their pedestrians under one action, over time."""
-    log_robots(stream, rollouts, index, theme)
-    if rollouts.scene.pedestrians:
-        log_pedestrians(stream, rollouts, index, theme)
-    log_paths(stream, rollouts, index, theme)
+ROBOT_DOT, PERSON_DOT, BAR = 2.2, 1.3, 1.0  # radii of dots, half the width of bars, px
+MARK_REACH = 0.06  # from the middle of a mark of contact to its sides, m
 
 
-def log_robots(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
-    """Show the K robots under one action: the first with a body that shows where it faces.
+def log_action(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    judgements: Sequence[Judgement],
+    index: int,
+    gap: FloatArray,
+    theme: Theme,
+) -> None:
+    """Show the M rollouts under one action whose paths are kept.
 
-    The arrowhead is a component of the robots, because an entity of its own would cost twice as
-    much.
+    The gap [M, T+1] is that to the nearest person, m.
     """
-    robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, K, 2)
-    heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).swapaxes(0, 1)  # (T+1, K)
-    times, count = heading.shape
-    in_full = np.arange(count) == 0  # one rollout with bodies, the others as dots
-    radii = np.where(in_full, ROBOT_RADIUS, ROBOT_DOT_RADIUS)
-    order = 30.0 + index  # a robot hides the arrowheads of those that it lies on
-    look = [
-        rr.Points2D.from_fields(radii=radii, draw_order=order),
-        rr.LineStrips2D.from_fields(
-            colors=theme.panel, radii=ARROWHEAD_THICKNESS / 2.0, draw_order=order + 0.5
-        ),
-    ]
-    touched = touched_by(rollouts.contact_step[index], np.arange(times)[:, None])
-    classes = np.where(touched, CONTACT_CLASS, index + 1).ravel()
-    points = rr.Points2D.columns(positions=robot.reshape(-1, 2), class_ids=classes)
-    headings = rr.AnyValues.columns(heading=heading.astype(np.float32).ravel())
-    arrows = rr.LineStrips2D.columns(strips=strips(rounded(arrowheads(rollouts.robot[index, 0]))))
-    rows = [count] * times
-    columns = [*points.partition(rows), *headings.partition(rows), *arrows]
+    name, told = rollouts.names[index], told_of_rollouts(rollouts, index)
+    values: dict[str, Any] = {f"V {each.label}": each.values[index] for each in judgements}
+    about = rr.AnyValues(action=action_label(name), rollouts=rollouts.count, **values)
+    stream.log(entities.action(name), about, static=True)
+    classes = class_over_time(rollouts, index)
+    log_robots(stream, rollouts, index, classes, told)
+    log_paths(stream, rollouts, index, told, theme)
+    log_contacts(stream, rollouts, index, theme)
+    if rollouts.scene.pedestrians:
+        log_pedestrians(stream, rollouts, index, told, theme)
+    log_shown(stream, rollouts, index, classes, gap, told, theme)
+
+
+def class_over_time(rollouts: Rollouts, index: int) -> IntArray:
+    """Class of each robot under one action, which says its colour, at each step, [M, T+1]."""
+    first = rollouts.contact_step[index, : rollouts.paths, None]
+    touched = touched_by(first, np.arange(rollouts.steps + 1))
+    return np.where(touched, CONTACT_CLASS, index + 1)
+
+
+def log_robots(
+    stream: rr.RecordingStream,
+    rollouts: Rollouts,
+    index: int,
+    classes: IntArray,
+    told: Sequence[str],
+) -> None:
+    """Show all robots under one action as dots."""
+    robot = rounded(rollouts.robot[index, ..., :2]).swapaxes(0, 1)  # (T+1, M, 2)
+    heading = rounded(rollouts.robot[index, ..., 2], HEADING_RESOLUTION).T  # (T+1, M)
+    points = rr.Points2D.columns(positions=robot.reshape(-1, 2), class_ids=classes.T.ravel())
+    # one value a step, a list: of many values the viewer would show no other one
+    lists = pa.FixedSizeListArray.from_arrays(heading.astype(np.float32).ravel(), rollouts.paths)
+    headings = rr.AnyValues.columns(heading=lists)
+    dots = rr.Points2D.from_fields(radii=rr.Radius.ui_points(ROBOT_DOT), draw_order=30.0)
+    look: list[rr.AsComponents] = [dots, rr.AnyValues(told=told)]
+    columns = [*points.partition([rollouts.paths] * len(heading)), *headings]
     path = entities.robots(rollouts.names[index])
     log_over_time(stream, path, time_columns(rollouts), look, columns)
 
 
 def log_pedestrians(
-    stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme
+    stream: rr.RecordingStream, rollouts: Rollouts, index: int, told: Sequence[str], theme: Theme
 ) -> None:
-    """Show the K times P people under one action, with bars that join the groups of the first P."""
-    people = rollouts.pedestrians[index].swapaxes(0, 1)  # (T+1, K, P, 2)
-    times, count, person_count, _ = people.shape
-    in_full = np.repeat(np.arange(count) == 0, person_count)
-    faint = blend(theme.pedestrian, theme.panel, 0.5)
-    look = rr.Points2D.from_fields(
-        radii=np.where(in_full, PEDESTRIAN_RADIUS, PERSON_DOT_RADIUS),
-        colors=np.where(in_full[:, None], theme.pedestrian, faint),
-        draw_order=10.0,  # below paths and contacts
-    )
-    path, when = entities.pedestrians(rollouts.names[index]), time_columns(rollouts)
-    places, groups = people.reshape(times, -1, 2), rollouts.scene.groups
-    log_people(stream, path, when, places, groups, look, theme)
+    """Show the people of all rollouts under one action as dots.
 
-
-def log_paths(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
-    """Draw the paths of the K robots, with a red cross where one first touched something.
-
-    The path of the robot that is drawn in full lies over the others once more, bold.
+    Bars join the people of each group in the first rollout.
     """
-    robot, corners = rounded(rollouts.robot[index, ..., :2]), path_corners(rollouts)
-    marks = crosses(rounded(first_contacts(rollouts, index)[:, :2]), 0.05)
-    colour = theme.action_colour(rollouts.names[index])
-    faint = blend(colour, theme.panel, 0.45)
-    stream.log(
-        entities.paths(rollouts.names[index]),
-        rr.LineStrips2D(
-            [*robot[:, corners], robot[0, corners], *marks],
-            colors=[faint] * len(robot) + [colour] + [theme.contact] * len(marks),
-            radii=rr.Radius.ui_points([0.7] * len(robot) + [1.5] + [0.7] * len(marks)),
-        ),
-        static=True,
-    )
+    people = rounded(rollouts.pedestrians[index]).swapaxes(0, 1)  # (T+1, M, P, 2)
+    times, count, person_count, _ = people.shape
+    faint = blend(theme.pedestrian, theme.panel, 0.5)
+    radius = rr.Radius.ui_points(PERSON_DOT)
+    dots = rr.Points2D.from_fields(radii=radius, colors=faint, draw_order=10.0)
+    look: list[rr.AsComponents] = [dots, rr.AnyValues(told=told_of_people(told, person_count))]
+    points = rr.Points2D.columns(positions=people.reshape(-1, 2))
+    columns = [*points.partition([count * person_count] * times)]
+    if rollouts.scene.groups:
+        bars = group_bars(people[:, 0], rollouts.scene.groups)  # (T+1, bars, 2, 2)
+        lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
+        columns += lines.partition([bars.shape[1]] * times)
+        pen = rr.Radius.ui_points(BAR)
+        look.append(rr.LineStrips2D.from_fields(colors=faint, radii=pen, draw_order=9.0))
+    path = entities.pedestrians(rollouts.names[index])
+    log_over_time(stream, path, time_columns(rollouts), look, columns)
 
 
-def log_without_robot(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
-    """Keep the K times P walks of the people had the robot not been there, one line a walk."""
-    walks = rounded(rollouts.without_robot).swapaxes(1, 2)  # (K, P, T+1, 2)
-    stream.log(
-        entities.WITHOUT_ROBOT,
-        rr.LineStrips2D(
-            list(walks.reshape(-1, *walks.shape[2:])),
-            colors=blend(theme.pedestrian, theme.panel, 0.25),
-            radii=rr.Radius.ui_points(0.5),
-            draw_order=-5.0,
-        ),
-        static=True,
+def log_paths(
+    stream: rr.RecordingStream, rollouts: Rollouts, index: int, told: Sequence[str], theme: Theme
+) -> None:
+    """Draw the paths of all robots under one action."""
+    lines = rr.LineStrips2D(
+        strips(rounded(rollouts.robot[index][:, path_corners(rollouts), :2])),
+        colors=blend(theme.action_colour(rollouts.names[index]), theme.panel, 0.45),
+        radii=rr.Radius.ui_points(0.7),
     )
+    path = entities.paths(rollouts.names[index])
+    stream.log(path, lines, rr.AnyValues(told=told), static=True)
+
+
+def log_contacts(stream: rr.RecordingStream, rollouts: Rollouts, index: int, theme: Theme) -> None:
+    """Mark where robots first touch a person, with an ×, and where a wall, with a square."""
+    marks, told = [], []
+    for steps, shape, thing in (
+        (rollouts.person_step, CROSS, "person"),
+        (rollouts.wall_step, SQUARE, "wall"),
+    ):
+        for place, step in enumerate(steps[index, : rollouts.paths].tolist()):
+            if step >= 0:
+                at = rounded(rollouts.robot[index, place, step, :2])
+                marks.append(at + MARK_REACH * shape)
+                told.append(
+                    f"rollout {place} first touches a {thing} at {step * rollouts.dt:.1f} s"
+                )
+    if marks:
+        lines = rr.LineStrips2D(
+            marks, colors=theme.contact, radii=rr.Radius.ui_points(0.9), draw_order=25.0
+        )
+        answers = rr.AnyValues(told=told * 2 if len(told) == 1 else told)
+        stream.log(entities.contacts(rollouts.names[index]), lines, answers, static=True)

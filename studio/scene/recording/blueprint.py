@@ -1,136 +1,137 @@
 """How the recording of a scene looks when it opens: its tabs and their views."""
 
+import math
+from collections.abc import Sequence
+
 import rerun.blueprint as rrb
 
 from scenes import Rollouts
 from studio.arrays import Bounds
-from studio.recorder.views import Overrides, drawn_view, figure_view, opening, page_view
+from studio.recorder.figures import painted_view
+from studio.recorder.plots import bars_view, curves_view, states_view, table_view
+from studio.recorder.views import Overrides, drawn_view, opening, page_view
+from studio.scene.framing import bounds_to_show
 from studio.scene.recording import entities
-from studio.scene.recording.action_table import action_table_bounds
-from studio.scene.recording.distributions import distributions_bounds
-from studio.scene.recording.minds import CURVES_BOUNDS
-from studio.scene.recording.prospects import prospects_bounds
-from studio.scene.recording.ranks import ranks_bounds
-from studio.style.palette import LIGHT
-from studio.style.words import action_label, counted, short_label
+from studio.scene.recording.outcomes import measured
+from studio.scene.recording.world import scale_length
+from studio.style.words import counted, short_label
 
 VIEW_SHAPE = (16, 9)
 """Width to height of views of the world on a common screen."""
 
+OVERVIEW, TITLE_HEIGHT = (700.0, 620.0), 28.0  # room for all worlds, and a view's title, px
 
-def recording_blueprint(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Blueprint:
-    """The tabs of a recording: overview, one an action, prospects, minds, about."""
+
+def recording_blueprint(
+    rollouts: Rollouts, bounds: Bounds, gaps: tuple[float, float]
+) -> rrb.Blueprint:
+    """The tabs of a recording: overview, one an action, prospects, minds, about.
+
+    Views of the world show the bounds, those of gaps to people (m) this range.
+    """
     return opening(
         [
-            scene_overview(rollouts, teachers, bounds),
-            *(action_tab(rollouts, index, bounds) for index in range(len(rollouts.actions))),
-            prospects_tab(rollouts.names, teachers),
-            minds_tab(rollouts.names, teachers),
+            scene_overview(rollouts),
+            *(action_tab(rollouts, index, bounds, gaps) for index in range(len(rollouts.actions))),
+            prospects_tab(),
+            minds_tab(),
             page_view(entities.ABOUT, "About"),
         ],
         "sim_time",
     )
 
 
-def scene_overview(rollouts: Rollouts, teachers: int, bounds: Bounds) -> rrb.Container:
-    """All actions in one world, what came of them, and what the teachers make of it."""
-    names = rollouts.names
-    contents = [entities.LABELS, *(f"{entities.action(name)}/**" for name in names)]
-    title = f"All actions, {counted(rollouts.count, 'rollout')} each (grid of 1 m)"
+def scene_overview(rollouts: Rollouts) -> rrb.Container:
+    """The world near the robot under every action side by side, and what is to be seen in it."""
+    bounds = bounds_to_show(rollouts)
+    worlds = [
+        world_view(
+            [f"{entities.action(name)}/**", f"- {entities.pedestrians(name)}"],
+            bounds,
+            short_label(name),
+        )
+        for name in rollouts.names
+    ]
     return rrb.Horizontal(
-        rrb.Vertical(
-            world_view(contents, bounds, title),
-            action_table_view(names, teachers),
-            row_shares=[3, 2],
-        ),
-        rrb.Vertical(
-            page_view(entities.SUMMARY, "Summary"),
-            *([gap_view()] if rollouts.scene.pedestrians else []),
-            row_shares=[5, 2] if rollouts.scene.pedestrians else [1],
-        ),
-        column_shares=[5, 3],
+        rrb.Grid(*worlds, grid_columns=grid_columns(len(worlds), bounds)),
+        page_view(entities.SUMMARY, "Summary"),
+        column_shares=[11, 9],
         name="Overview",
     )
 
 
-def action_tab(rollouts: Rollouts, index: int, bounds: Bounds) -> rrb.Container:
-    """One action: its world, and how its outcomes are distributed."""
-    name, contacts = rollouts.names[index], int(rollouts.touched[index].sum())
-    label, count = action_label(name), counted(rollouts.count, "rollout")
-    title = f"{label}: {count}, {contacts} with contact (grid of 1 m)"
-    return rrb.Vertical(
-        world_view([f"{entities.action(name)}/**"], bounds, title),
-        figure_view(
-            entities.distributions(name),
-            distributions_bounds(rollouts),
-            f"{label}: outcomes by feature (red: with contact), and the gap to the nearest person "
-            "(median, 10 to 90 %) over time",
+def grid_columns(worlds: int, bounds: Bounds) -> int:
+    """How many of this many worlds stand beside one another, so that they are as large as can be.
+
+    All show the same bounds.
+    """
+    (x0, y0, x1, y1), (width, height) = bounds, OVERVIEW
+
+    def scale(columns: int) -> float:
+        rows = math.ceil(worlds / columns)
+        return min(width / columns / (x1 - x0), (height / rows - TITLE_HEIGHT) / (y1 - y0))
+
+    return max(range(1, worlds + 1), key=scale)
+
+
+def action_tab(
+    rollouts: Rollouts, index: int, bounds: Bounds, gaps: tuple[float, float]
+) -> rrb.Container:
+    """One action: its world, how its outcomes are distributed, and every single one of them."""
+    name = rollouts.names[index]
+    paths = counted(rollouts.paths, "rollout")
+    sample = "" if rollouts.paths == rollouts.count else f" of {rollouts.count:,}"
+    title = f"{short_label(name)}: {paths}{sample} (bar: {scale_length(bounds):g} m)"
+    plots = [
+        bars_view(
+            entities.histogram(measure.feature, name),
+            measure.title,
+            behind=entities.any_action(measure.feature),
+        )
+        for measure in measured(rollouts)
+    ]
+    if rollouts.scene.pedestrians:
+        plots.append(curves_view(entities.gap(name), "gap to people over time, m", y_range=gaps))
+    plots.append(states_view(entities.states(name), "What each robot touches"))
+    return rrb.Horizontal(
+        rrb.Vertical(
+            world_view([f"{entities.action(name)}/**"], bounds, title),
+            table_view(entities.outcomes(name), "Outcomes, a row a rollout", "rollout"),
+            row_shares=[5, 3],
         ),
-        row_shares=[5, 2],
+        rrb.Vertical(
+            painted_view(entities.dots(name), "Utility of each rollout"),
+            rrb.Grid(*plots, grid_columns=2),
+            row_shares=[1, 3],
+        ),
+        column_shares=[10, 9],
         name=short_label(name),
     )
 
 
-def prospects_tab(names: tuple[str, ...], teachers: int) -> rrb.Container:
-    """The outcomes of all actions side by side, and how much each counts to the teachers."""
+def prospects_tab() -> rrb.Container:
+    """What the outcomes of all actions are worth, and all that is known of the actions."""
     return rrb.Vertical(
-        action_table_view(names, teachers),
-        figure_view(
-            entities.PROSPECTS,
-            prospects_bounds(names),
-            "Outcomes from the worst to the best. Dots: utility; marks at the right: certainty "
-            "equivalents (the sure utility that a teacher would take instead). Below: how much "
-            "each outcome counts",
-        ),
-        row_shares=[4, 5],
+        painted_view(entities.UTILITIES, "What outcomes are worth, and to whom"),
+        table_view(entities.ACTIONS, "Actions, a row each", "action"),
+        row_shares=[5, 2],
         name="Prospects",
     )
 
 
-def minds_tab(names: tuple[str, ...], teachers: int) -> rrb.Container:
+def minds_tab() -> rrb.Container:
     """How the teachers weigh probabilities, value gains and losses, and rank the actions."""
     return rrb.Vertical(
-        drawn_view(
-            entities.CURVES,
-            CURVES_BOUNDS,
-            "How much probabilities p count, and 50 outcomes from the worst loss to the best gain; "
-            "how good the utility x feels",
-        ),
-        rrb.Horizontal(
-            figure_view(
-                entities.RANKS,
-                ranks_bounds(names, teachers),
-                "Actions by their value V, the best on top (bold: the next teacher ranks it "
-                "differently)",
-            ),
-            page_view(entities.DISAGREEMENTS, "Where they disagree"),
-            column_shares=[5, 2],
-        ),
-        row_shares=[4, 5],
+        painted_view(entities.MINDS, "How teachers weigh, value and rank"),
+        page_view(entities.DISAGREEMENTS, "Where they disagree"),
+        row_shares=[2, 1],
         name="Minds",
     )
 
 
 def world_view(
-    contents: list[str], bounds: Bounds, title: str, overrides: Overrides | None = None
+    contents: Sequence[str], bounds: Bounds, title: str, overrides: Overrides | None = None
 ) -> rrb.View:
     """A view of the world: what does not move, and the given contents; see `drawn_view`."""
-    fixed = [entities.GRID, entities.WALLS, entities.TASK]
+    fixed = [entities.WALLS, entities.TASK, entities.SCALE]
     return drawn_view([*fixed, *contents], bounds, title, overrides)
-
-
-def action_table_view(names: tuple[str, ...], teachers: int) -> rrb.View:
-    """The action table."""
-    title = "All outcomes (large dot: median) and their values V (ringed: what the teacher picks)"
-    return figure_view(entities.ACTION_TABLE, action_table_bounds(names, teachers), title)
-
-
-def gap_view() -> rrb.View:
-    """The median gap to the nearest person over time under every action."""
-    return rrb.TimeSeriesView(
-        origin=f"/{entities.GAP}",
-        name="median gap to the nearest person, m (colours as on the left)",
-        plot_legend=rrb.PlotLegend(visible=False),
-        # Rerun's grid is black on light ground
-        background=rrb.archetypes.PlotBackground(color=LIGHT.panel, show_grid=False),
-    )

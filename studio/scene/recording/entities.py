@@ -9,26 +9,18 @@ APPLICATION = "prospect_studio_scene"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
 
 WORLD = "world"
-GRID = "world/grid"
 WALLS = "world/walls"
 TASK = "world/task"
-LABELS = "world/labels"
+SCALE = "world/scale"
 WITHOUT_ROBOT = "world/without_robot"
-FIGURES = "figures"
-ACTION_TABLE = "figures/comparison"
-ACTION_TABLE_OUTCOMES = "figures/comparison/outcomes"
-PROSPECTS = "figures/prospects"
-RANKED_OUTCOMES = "figures/prospects/outcomes"
-GAIN_WEIGHTS = "figures/weights_of_gains"
-LOSS_WEIGHTS = "figures/weights_of_losses"
-DECISION_WEIGHTS = "figures/decision_weights"
-VALUES = "figures/values"
-CURVES = (GAIN_WEIGHTS, LOSS_WEIGHTS, DECISION_WEIGHTS, VALUES)  # from the left to the right
-RANKS = "figures/ranks"
+ACTIONS = "actions"
 OUTCOMES = "outcomes"
+HISTOGRAMS = "histograms"
 JUDGEMENTS = "judgements"
 REFERENCE = "reference"
-GAP = "clearance"
+UTILITIES = "figures/utilities"
+MINDS = "figures/minds"
+FIGURES = "figures"
 SUMMARY = "summary"
 DISAGREEMENTS = "disagreements"
 ABOUT = "about"
@@ -42,20 +34,55 @@ def action(name: str) -> str:
 
 
 def robots(name: str) -> str:
-    """The K robots under one action."""
+    """The robots under one action, in all rollouts whose paths are kept."""
     return f"{action(name)}/robots"
 
 
 def pedestrians(name: str) -> str:
-    """The K times P pedestrians under one action."""
+    """The pedestrians under one action, in all rollouts whose paths are kept."""
     return f"{action(name)}/pedestrians"
 
 
 def paths(name: str) -> str:
-    """The paths of the K robots under one action, and where they touched something."""
+    """The paths of the robots under one action."""
     return f"{action(name)}/paths"
 
 
-def distributions(name: str) -> str:
-    """The figure of how the outcomes of one action are distributed."""
-    return f"{FIGURES}/actions/{entity_part(name)}"
+def contacts(name: str) -> str:
+    """Where the robots under one action first touch a person, and where a wall."""
+    return f"{action(name)}/contacts"
+
+
+def shown(name: str) -> str:
+    """The one rollout under one action that is drawn in true size."""
+    return f"{action(name)}/shown"
+
+
+def outcomes(name: str) -> str:
+    """The table of the outcomes of one action."""
+    return f"{OUTCOMES}/{entity_part(name)}"
+
+
+def histogram(feature: str, name: str) -> str:
+    """How a feature of the outcomes of one action is distributed."""
+    return f"{HISTOGRAMS}/{feature}/{entity_part(name)}"
+
+
+def any_action(feature: str) -> str:
+    """The most outcomes that any action has in each bin of a feature."""
+    return f"{HISTOGRAMS}/{feature}"
+
+
+def gap(name: str) -> str:
+    """The gap to the nearest person over time under one action."""
+    return f"gap/{entity_part(name)}"
+
+
+def states(name: str) -> str:
+    """What the robots under one action are touching over time."""
+    return f"touching/{entity_part(name)}"
+
+
+def dots(name: str) -> str:
+    """The figure of what the outcomes of one action are worth."""
+    return f"figures/actions/{entity_part(name)}"

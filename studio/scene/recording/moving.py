@@ -7,7 +7,7 @@ import numpy as np
 import rerun as rr
 
 from scenes import Rollouts
-from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
+from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.scene.groups import shortest_links
 from studio.style.palette import Theme, blend
@@ -19,6 +19,9 @@ Being a power of two it leaves the last bytes of each number empty and makes man
 so that they pack into 0.6 of their size; rounded to 1 cm they would pack into 0.8.
 """
 
+HEADING_RESOLUTION = 1.0 / 64.0
+"""Headings are rounded to this, about 0.9°, rad."""
+
 CONTACT_CLASS = 0
 """Class of a robot that has touched something; until then it is 1 + the index of its action."""
 
@@ -26,7 +29,8 @@ PATH_STRIDE = 4
 """A path is drawn through every fourth step: its corners stay within a centimetre of the truth."""
 
 ARROWHEAD = ROBOT_RADIUS * np.array([(-0.35, 0.5), (0.6, 0.0), (-0.35, -0.5)])  # facing along x, m
-BAR_THICKNESS = 0.7 * PEDESTRIAN_RADIUS  # of the bars that join the people of a group, m
+CROSS = np.array([(-1, -1), (1, 1), (0, 0), (-1, 1), (1, -1)])
+SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
 
 
 def log_over_time(
@@ -61,9 +65,7 @@ def log_people(
     if groups:
         bars = group_bars(places, groups)  # (moments, bars, 2, 2)
         faint = blend(theme.pedestrian, theme.panel, 0.5)
-        static.append(
-            rr.LineStrips2D.from_fields(colors=faint, radii=BAR_THICKNESS / 2.0, draw_order=5.0)
-        )
+        static.append(rr.LineStrips2D.from_fields(colors=faint, radii=0.07, draw_order=5.0))
         lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
         moving += lines.partition([bars.shape[1]] * len(bars))
     log_over_time(stream, path, times, static, moving)
@@ -111,7 +113,19 @@ def path_corners(rollouts: Rollouts) -> IntArray:
 
 
 def crosses(centres: FloatArray, reach: float) -> FloatArray:
-    """Two strokes a cross, [2N, 2, 2], m."""
-    strokes = reach * np.array([[(-1.0, -1.0), (1.0, 1.0)], [(-1.0, 1.0), (1.0, -1.0)]])
-    lines: FloatArray = (centres[:, None, None] + strokes).reshape(-1, 2, 2)
+    """An × in one line around each centre [N, 2], [N, 5, 2], m."""
+    lines: FloatArray = centres[:, None] + reach * CROSS
     return lines
+
+
+def squares(centres: FloatArray, reach: float) -> FloatArray:
+    """The outline of a square around each centre [N, 2], [N, 5, 2], m."""
+    lines: FloatArray = centres[:, None] + reach * SQUARE
+    return lines
+
+
+def clear_rollouts_from(stream: rr.RecordingStream, path: str, first: int) -> None:
+    """Show nothing of the rollouts from this one on, whose paths are not kept."""
+    stream.set_time("rollout", sequence=first)
+    stream.log(path, rr.Clear(recursive=True))
+    stream.reset_time()

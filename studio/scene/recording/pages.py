@@ -5,15 +5,25 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from itertools import combinations
 
-import numpy as np
-
 from learners import REWARD, CptParameters
 from scenes import FEATURES, Rollouts
 from studio.recorder.markdown import link, plain, table
 from studio.scene.again import how_to_make_again, record_command
+from studio.scene.certainty import wilson
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
-from studio.style.words import counted, number, short_label
+from studio.scene.words import bias_told, draws_told, pick_with_shares
+from studio.style.words import (
+    counted,
+    estimate_told,
+    number,
+    share_told,
+    short_label,
+    signed_number,
+)
+
+MOST_VALUES = 3
+"""Teachers whose values stand side by side in a table; more have no room beside the worlds."""
 
 WAYS_OF_JUDGING = {
     "eu": "goes by the mean utility",
@@ -24,28 +34,41 @@ WAYS_OF_JUDGING = {
 
 
 def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
-    """What to look at first: the actions in a table, and which one each teacher picks."""
-    picks = [f"**{each.label}** picks {action_link(rollouts, each.best)}" for each in judgements]
+    """What to look at first: the actions in tables, and which one each teacher picks, how surely.
+
+    It stands beside the worlds under all actions.
+    """
     return "\n".join(
         [
             f"# {rollouts.scene.name}",
             "",
             f"The robot meets {_people(rollouts)} and must choose. Each action was simulated "
-            f"{counted(rollouts.count, 'time')}. Balls are the robot (with an arrowhead) and the "
-            "people (grey) in the first of these rollouts, in true size; dots are those in the "
-            "others. People react to the robot, so every action has its own. A robot is red once "
-            "it has touched somebody or a wall; a cross marks where.",
+            f"{counted(rollouts.count, 'time')}{_sample(rollouts)}. A ring with an arrowhead is "
+            "the robot in the first of these rollouts, grey rings are the people in it, all in "
+            "true size; dots are the robot in the others. A red × marks where it first touches a "
+            "person, a red square where a wall.",
+            "",
+            *picks_told(rollouts, judgements),
             "",
             *outcome_table(rollouts, judgements),
             "",
-            f"{'; '.join(picks)}.{_disagreement(rollouts, judgements)}",
+            *_how_sure(rollouts, judgements),
             "",
             _ways_of_judging(judgements),
             "",
-            "Gap to the nearest person: median over rollouts of the smallest; progress towards the "
-            "goal: mean.",
+            "Choose the timeline `rollout` below and drag it: every view then shows one rollout at "
+            "a time. Hover or select any mark to see whose it is and what came of it.",
         ]
     )
+
+
+def picks_told(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
+    """What each teacher picks, or between which actions it is open, with shares of draws."""
+    return [
+        f"* **{each.label}** {'picks' if each.is_sure else 'may pick'} "
+        f"{plain(pick_with_shares(each, rollouts.names))}"
+        for each in judgements
+    ]
 
 
 def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
@@ -56,8 +79,9 @@ def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) ->
     counts, details = [], []
     for one, other in combinations(judgements, 2):
         pairs = one.discordant_pairs(other)
-        loss = number(other.values[other.best] - other.values[one.best], ".3f")
-        counts.append((f"{one.label}, {other.label}", str(len(pairs)), loss))
+        loss = other.difference(other.best, one.best)
+        told = estimate_told(loss.value, loss.low, loss.high)
+        counts.append((f"{one.label}, {other.label}", str(len(pairs)), told))
         if pairs:
             preferred = [[action_link(rollouts, action) for action in pair] for pair in pairs]
             heads = [f"{each.label} prefers" for each in (one, other)]
@@ -65,10 +89,13 @@ def disagreements_page(rollouts: Rollouts, judgements: tuple[Judgement, ...]) ->
     return "\n".join(
         [
             f"How many pairs of actions, of {pairs_in_all}, two teachers order differently, and "
-            "how much value the second one loses by doing what the first one picks.",
+            "how much value V the second one loses by doing what the first one values most, with "
+            "its 95 % interval: V of the second one's best action − V of the first one's.",
             "",
             *table(("teachers", "pairs", "loss"), "lrr", counts),
             *details,
+            "",
+            *_how_sure(rollouts, judgements),
         ]
     )
 
@@ -89,7 +116,7 @@ def scene_page(
             "",
             "## What one sees",
             "",
-            *_what_one_sees(),
+            *_what_one_sees(rollouts),
             "",
             "Press space to stop and go on; double-click a view to set it back.",
             "",
@@ -107,6 +134,9 @@ def scene_page(
             "## Outcomes",
             "",
             *outcome_table(rollouts, judgements),
+            "",
+            *_how_sure(rollouts, judgements),
+            *_bias_table(rollouts, judgements),
             "",
             "## Teachers",
             "",
@@ -127,30 +157,28 @@ def scene_page(
     )
 
 
-def _what_one_sees() -> list[str]:
+def _what_one_sees(rollouts: Rollouts) -> list[str]:
     return [
-        f"* {link('The world', entities.WORLD)} from above, on a grid of metres; the robot starts "
-        "at the ring with the nose and is headed for the target.",
-        "* A coloured ball is the robot in the first rollout, and its arrowhead shows where it "
-        "faces; a grey ball is a person in that rollout, and bars join people who walk in a group. "
-        "Both are in true size. Dots are the robot and the people in the other rollouts.",
-        "* A robot turns red at the step at which it first touches a person or a wall; a red cross "
-        "marks where. Faint lines are the paths that robots take, a bold one is that of the first "
-        "rollout.",
-        "* Histograms count the outcomes by feature, in bins that all actions share, those with "
-        "contact in red; the number at the upper left is the height of the tallest bar.",
-        "* The gap over time is that between the robot and the nearest person: the median, and a "
-        "band from the 10 % to the 90 % quantile.",
-        f"* Prospects: {link('all outcomes', entities.ACTION_TABLE)}, every feature on one scale; "
-        f"and {link('what they are worth', entities.PROSPECTS)}: their utilities from the worst to "
-        "the best, the decision weight of each in multiples of its probability, and, as marks, the "
-        "certainty equivalents: the sure utilities that the teachers value as much as the action.",
-        f"* Minds: how much a probability {link('of a gain', entities.GAIN_WEIGHTS)} and "
-        f"{link('of a loss', entities.LOSS_WEIGHTS)} counts, what that "
-        f"{link('makes of fifty equally likely outcomes', entities.DECISION_WEIGHTS)}, the worse "
-        f"half losses and the better half gains, how good a gain {link('feels', entities.VALUES)} "
-        f"and how bad a loss, and how the teachers therefore "
-        f"{link('rank the actions', entities.RANKS)}.",
+        f"* {link('The world', entities.WORLD)} from above; the robot starts at the ring and is "
+        f"headed for the target. All move along the timeline `sim_time`{_sample(rollouts)}.",
+        "* A coloured ring is the robot in the first rollout, and its arrowhead shows where it "
+        "faces; grey rings are the people in that rollout, and bars join those who walk in a "
+        "group. Dots are the robot, and on the tab of an action the people, in the other rollouts.",
+        "* A robot turns red at the step at which it first touches a person or a wall. A red × "
+        "marks where it first touches a person, a red square where a wall. Lines are the paths.",
+        "* Along the timeline `rollout` each rollout is shown in turn, at the moment of its first "
+        "contact or else of its smallest gap, with the ways of robot and people. The table "
+        "follows, and a ring marks the dot of the rollout.",
+        "* Histograms count outcomes by feature, in bins that all actions share: red are those in "
+        "which a person was touched, pale red those in which only a wall was. Grey behind them is "
+        "the most that any action has in a bin.",
+        "* The gap over time is that between the robot and the nearest person: its mean over "
+        "rollouts, and one standard deviation to each side.",
+        f"* Prospects: {link('what the outcomes are worth', entities.UTILITIES)}, and the "
+        "certainty equivalents: the sure utilities that teachers value as much as the action.",
+        f"* Minds: {link('how much a probability counts', entities.MINDS)} in losses and in "
+        "gains, how good a gain feels and how bad a loss, and how the teachers therefore rank the "
+        "actions.",
     ]
 
 
@@ -171,44 +199,76 @@ def _settings(rollouts: Rollouts, versions: Mapping[str, str]) -> list[str]:
 
 
 def outcome_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
-    """One row an action: contacts, gap, progress, and its value to every teacher."""
-    contacts = rollouts.touched.sum(axis=1)
-    gap = np.median(rollouts.clearance_m, axis=1)
-    progress = rollouts.progress_m.mean(axis=1)
+    """Tables of the actions: contacts and means, then the value to every teacher."""
+    touched = rollouts.people_touched > 0, rollouts.wall_touched
+    gap, progress = rollouts.clearance_m.mean(axis=1), rollouts.progress_m.mean(axis=1)
     rows = []
     for index in range(len(rollouts.actions)):
-        worths = [(number(each.values[index], ".3f"), index == each.best) for each in judgements]
-        rows.append(
-            (
-                action_link(rollouts, index),
-                f"{contacts[index]} / {rollouts.count}",
-                f"{gap[index]:.2f}",
-                f"{progress[index]:.2f}",
-                *(f"**{worth}** ★" if is_picked else worth for worth, is_picked in worths),
-            )
-        )
-    heads = ["action", "contact", "gap, m", "progress, m", *(each.label for each in judgements)]
-    return table(heads, "lrrr" + "r" * len(judgements), rows)
+        shares = [wilson(int(each[index].sum()), rollouts.count) for each in touched]
+        contacts = [share_told(share.value, share.low, share.high) for share in shares]
+        means = [f"{gap[index]:.2f}", number(progress[index], ".2f")]
+        rows.append([action_link(rollouts, index), *contacts, *means])
+    heads = ["action", "touches people", "touches walls", "gap, m", "progress, m"]
+    lines = table(heads, "lrrrr", rows)
+    for first in range(0, len(judgements), MOST_VALUES):
+        some = judgements[first : first + MOST_VALUES]
+        told = [_values_told(each) for each in some]
+        rows = [
+            [action_link(rollouts, index), *(values[index] for values in told)]
+            for index in range(len(rollouts.actions))
+        ]
+        heads = ["action", *(f"V {each.label}" for each in some)]
+        lines += ["", *table(heads, "l" + "r" * len(some), rows)]
+    return lines
+
+
+def _values_told(judgement: Judgement) -> list[str]:
+    """V of every action with its interval; bold and starred what is, or may be, the pick."""
+    told = [
+        estimate_told(*ends)
+        for ends in zip(judgement.values, judgement.low, judgement.high, strict=True)
+    ]
+    star = "★" if judgement.is_sure else "☆"
+    for index in judgement.candidates:
+        told[index] = f"**{told[index]}** {star}"
+    return told
+
+
+def _how_sure(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
+    """Where the intervals come from, and by how much V from as few rollouts is off on average."""
+    if not judgements:
+        return []
+    means = "Gaps and progress are means; shares of contacts have Wilson's intervals."
+    told = (
+        draws_told(judgements, rollouts.count),
+        bias_told(judgements, rollouts.names, rollouts.count),
+        means,
+    )
+    return [" ".join(filter(None, told))]
+
+
+def _bias_table(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
+    """By how much V from as many rollouts is too large on average, if a reference tells."""
+    held = [(each, each.reference) for each in judgements if each.reference]
+    if not held:
+        return []
+    rows = [
+        [action_link(rollouts, index), *(signed_number(float(r.bias[index])) for _, r in held)]
+        for index in range(len(rollouts.actions))
+    ]
+    return [
+        "",
+        f"By how much V from {counted(rollouts.count, 'rollout')} is too large on average, held "
+        f"against {counted(held[0][1].rollouts, 'rollout')}:",
+        "",
+        *table(["action", *(each.label for each, _ in held)], "l" + "r" * len(held), rows),
+    ]
 
 
 def action_link(rollouts: Rollouts, index: int) -> str:
     """A link to the world under an action."""
     name = rollouts.names[index]
     return link(plain(short_label(name)), entities.action(name))
-
-
-def _disagreement(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
-    """How many pairs of actions the two teachers who agree least order differently, in words."""
-    couples = [
-        (len(one.discordant_pairs(other)), f"{one.label} and {other.label}")
-        for one, other in combinations(judgements, 2)
-    ]
-    most, names = max(couples, key=lambda couple: couple[0], default=(0, ""))
-    if not most:
-        return ""
-    pairs_in_all = math.comb(len(rollouts.actions), 2)
-    order = link("order", entities.RANKS)
-    return f" {names} {order} {most} of {pairs_in_all} pairs of actions differently."
 
 
 def _ways_of_judging(judgements: tuple[Judgement, ...]) -> str:
@@ -220,11 +280,18 @@ def _ways_of_judging(judgements: tuple[Judgement, ...]) -> str:
     ]
     known = f"{', '.join(told)}; " if told else ""
     return (
-        f"{known}V, under their names, is what an action is worth to them: the largest is picked "
-        "(★)."
+        f"{known}V is what an action is worth to them: the largest is picked (★), or it is open "
+        "which one is (☆)."
     )
 
 
 def _people(rollouts: Rollouts) -> str:
     people = len(rollouts.scene.pedestrians)
     return {0: "nobody", 1: "one person"}.get(people, f"{people} people")
+
+
+def _sample(rollouts: Rollouts) -> str:
+    """That the recording shows only some of the rollouts, if it does: the end of a sentence."""
+    if rollouts.paths == rollouts.count:
+        return ""
+    return f"; paths are shown of a sample of {rollouts.paths} of {rollouts.count:,} rollouts"

@@ -8,13 +8,22 @@ import numpy as np
 
 from learners import PROFILES, CptParameters
 from scenes import FEATURES, Limits, MetaAction, Noise, Rollouts, Scene, scene_from_toml
-from scenes.features import CLEARANCE_SCALE, DEVIATION_SCALE, PROGRESS_SPEED, first_step, gaps
+from scenes.features import (
+    CLEARANCE_SCALE,
+    DEVIATION_SCALE,
+    PROGRESS_SPEED,
+    Outcomes,
+    first_step,
+    gaps,
+)
 from scenes.geometry import distance_to_walls
 from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.recorder.contents import Contents
 from studio.scene.judgements import Judgement, judge
 from studio.scene.recording import entities
+
+IN_METRES = ("clearance_m", "deviation_m", "progress_m")
 
 
 def read_scene(contents: Contents) -> tuple[Rollouts, tuple[Judgement, ...]]:
@@ -49,26 +58,26 @@ def _rollouts(contents: Contents) -> Rollouts:
     scene = scene_from_toml(contents.text(entities.SCENE, "toml"))
     actions = tuple(MetaAction(**action) for action in parts["actions"]["actions"])
     count, people, dt = int(told["rollouts"]), len(scene.pedestrians), float(told["dt"])
-    horizon = float(told["horizon"])
-    times = round(horizon / dt) + 1
-    shape = len(actions), count
+    # before edition 3 the paths of all rollouts were kept
+    has_paths = contents.has(entities.SIMULATION, "paths")
+    paths = int(contents.static(entities.SIMULATION, "paths")[0]) if has_paths else count
+    times = round(float(told["horizon"]) / dt) + 1
     robot, pedestrians = [], []
     for action in actions:
         at = f"/{entities.robots(action.name)}"
         place = contents.over_time(at, "Points2D:positions", "step")
-        heading = contents.over_time(at, "heading", "step")[..., None]
+        heading = contents.over_time(at, "heading", "step").reshape(times, paths, 1)
         robot.append(np.concatenate([place, heading], axis=-1).swapaxes(0, 1))
         walks = np.empty((times, 0, 2))
         if people:
             at = f"/{entities.pedestrians(action.name)}"
             walks = contents.over_time(at, "Points2D:positions", "step")
-        pedestrians.append(walks.reshape(times, count, people, 2).swapaxes(0, 1))
-    outcomes = f"/{entities.OUTCOMES}"
-    columns = [contents.static(outcomes, feature) for feature in FEATURES]
-    features = np.stack(columns, axis=-1).reshape(*shape, len(FEATURES)).astype(np.float64)
-    driven = np.array(robot, np.float64).reshape(*shape, times, 3)
+        pedestrians.append(walks.reshape(times, paths, people, 2).swapaxes(0, 1))
+    driven = np.array(robot, np.float64).reshape(len(actions), paths, times, 3)
     walked = np.array(pedestrians, np.float64)
-    person_step, wall_step = _contact_steps(contents, scene, driven, walked)
+    outcomes = _outcomes(contents, actions, count, float(told["horizon"]))
+    if outcomes is None:
+        outcomes = _old_outcomes(contents, scene, driven, walked, float(told["horizon"]))
     return Rollouts(
         scene=scene,
         actions=actions,
@@ -82,6 +91,49 @@ def _rollouts(contents: Contents) -> Rollouts:
         robot=driven,
         pedestrians=walked,
         without_robot=_without_robot(contents, times, people),
+        **vars(outcomes),
+    )
+
+
+def _outcomes(
+    contents: Contents, actions: tuple[MetaAction, ...], count: int, horizon: float
+) -> Outcomes | None:
+    """What came of the rollouts, from the tables that a recording has since edition 3."""
+    tables = [f"/{entities.outcomes(action.name)}" for action in actions]
+    if not contents.has(tables[0], "clearance_m"):
+        return None
+    numbers = {
+        name: np.array(
+            [contents.over_time(table, name, "rollout") for table in tables], np.float64
+        ).reshape(len(actions), count)
+        for name in (*IN_METRES, "smoothness", "collisions", "person_step", "wall_step")
+    }
+    clearance, deviation, progress = (numbers[name] for name in IN_METRES)
+    features = [
+        clearance / CLEARANCE_SCALE,
+        deviation / DEVIATION_SCALE,
+        progress / (PROGRESS_SPEED * horizon),
+        numbers["smoothness"],
+        numbers["collisions"],
+    ]
+    return Outcomes(
+        features=np.stack(features, axis=-1),
+        clearance_m=clearance,
+        deviation_m=deviation,
+        progress_m=progress,
+        person_step=numbers["person_step"].astype(np.int64),
+        wall_step=numbers["wall_step"].astype(np.int64),
+    )
+
+
+def _old_outcomes(
+    contents: Contents, scene: Scene, robot: FloatArray, pedestrians: FloatArray, horizon: float
+) -> Outcomes:
+    """What came of the rollouts, from the one table of scaled features of editions 1 and 2."""
+    columns = [contents.static(f"/{entities.OUTCOMES}", feature) for feature in FEATURES]
+    features = np.stack(columns, axis=-1).reshape(*robot.shape[:2], -1).astype(np.float64)
+    person_step, wall_step = _old_contacts(contents, scene, robot, pedestrians, features[..., -1])
+    return Outcomes(
         features=features,
         clearance_m=CLEARANCE_SCALE * features[..., 0],
         deviation_m=DEVIATION_SCALE * features[..., 1],
@@ -91,23 +143,20 @@ def _rollouts(contents: Contents) -> Rollouts:
     )
 
 
-def _contact_steps(
-    contents: Contents, scene: Scene, robot: FloatArray, pedestrians: FloatArray
+def _old_contacts(
+    contents: Contents,
+    scene: Scene,
+    robot: FloatArray,
+    pedestrians: FloatArray,
+    collisions: FloatArray,
 ) -> tuple[IntArray, IntArray]:
     """The first steps at which people and at which walls are touched, [A, K] each, -1 for never.
 
-    Recordings up to edition 2 tell the first step of any contact and how many are touched. Of what
+    Editions 1 and 2 tell the first step of any contact and how many things are touched. Of what
     kind the contact is then follows from where everybody is, which is rounded by some millimetres.
     """
-    entity, shape = f"/{entities.OUTCOMES}", robot.shape[:2]
-    if contents.has(entity, "person_step"):
-        people, walls = (
-            contents.static(entity, name).astype(np.int64).reshape(shape)
-            for name in ("person_step", "wall_step")
-        )
-        return people, walls
-    first = contents.static(entity, "contact_step").astype(np.int64).reshape(shape)
-    collisions = contents.static(entity, "collisions").reshape(shape)
+    first = contents.static(f"/{entities.OUTCOMES}", "contact_step")
+    first = first.astype(np.int64).reshape(robot.shape[:2])
     to_people = gaps(robot, pedestrians).min(axis=-1, initial=np.inf)  # (A, K, T+1)
     to_walls = distance_to_walls(robot[..., :2], scene.wall_segments) - ROBOT_RADIUS
     at_first = np.maximum(first, 0)[..., None]

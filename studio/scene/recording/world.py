@@ -1,106 +1,80 @@
-"""What does not move in the world of a recording: ground, walls, the task, names of the actions."""
+"""What does not move in the world of a recording: walls, the task, how long a metre is."""
 
 import numpy as np
 import rerun as rr
 
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
-from studio.arrays import Bounds, FloatArray
-from studio.recorder.drawing import Drawing, y_upwards
+from studio.arrays import Bounds
+from studio.recorder.drawing import y_upwards
 from studio.scene.recording import entities
-from studio.scene.recording.label_places import (
-    LABEL_HEIGHT,
-    half_size,
-    label_places,
-    leader,
-    metres_per_pixel,
-)
-from studio.scene.recording.moving import PATH_STRIDE
-from studio.style.palette import Theme
-from studio.style.words import short_label
+from studio.scene.recording.answers import told_of_people
+from studio.scene.recording.moving import rounded, strips
+from studio.style.palette import Theme, blend
+from studio.style.ticks import round_step
 
 WALL_THICKNESS = 0.12  # of the drawn walls, m; the simulated ones are lines
-MOST_PATHS_BESIDE_LABELS = 10  # of each action; further ones lie near these
-LABEL_ORDER = 1000.0  # the dots and lines of the labels lie above the robots of all actions
+SCALE_SHARE = 0.12  # of a view's width that the scale bar takes at least
+SCALE_INSET = 0.03  # of a view's width between the scale bar and the edges
 
 
 def log_world(stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme) -> None:
-    """Draw what does not move: metres, walls, the robot's task and names of actions."""
+    """Draw what does not move, and say what colour a class of robots has."""
     # without names, which the viewer would write beside every robot where there are few
     colours = [theme.contact, *(theme.action_colour(name) for name in rollouts.names)]
     classes = [rr.AnnotationInfo(number, color=colour) for number, colour in enumerate(colours)]
     stream.log(entities.WORLD, y_upwards(), rr.AnnotationContext(classes), static=True)
-    stream.log(
-        entities.GRID,
-        rr.LineStrips2D(
-            list(grid_lines(bounds)),
-            colors=theme.grid,
-            radii=rr.Radius.ui_points(0.5),
-            draw_order=-10.0,
-        ),
-        static=True,
+    walls = rr.LineStrips2D(
+        list(rollouts.scene.wall_segments), colors=theme.wall, radii=WALL_THICKNESS / 2.0
     )
-    stream.log(
-        entities.WALLS,
-        rr.LineStrips2D(
-            list(rollouts.scene.wall_segments), colors=theme.wall, radii=WALL_THICKNESS / 2.0
-        ),
-        static=True,
-    )
+    stream.log(entities.WALLS, walls, static=True)
     log_task(stream, rollouts, theme)
-    log_labels(stream, rollouts, bounds, theme)
+    log_scale(stream, bounds, theme)
+    if rollouts.scene.pedestrians:
+        log_without_robot(stream, rollouts, theme)
 
 
 def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
-    """Draw the robot's start as a ring with a nose, and its goal as a target."""
+    """Draw the robot's start as a ring, and its goal as a target."""
     robot = rollouts.scene.robot
-    start, goal = np.array(robot.start), np.array(robot.goal)
-    ahead = np.array([np.cos(robot.start_heading), np.sin(robot.start_heading)])
-    drawing = Drawing()
-    drawing.line(circle(start, ROBOT_RADIUS), theme.ink)
-    drawing.line([start + ROBOT_RADIUS * ahead, start + 1.6 * ROBOT_RADIUS * ahead], theme.ink, 3.0)
-    drawing.stroke(circle(goal, 0.85 * ROBOT_RADIUS), theme.ink, 0.3 * ROBOT_RADIUS)
-    drawing.stroke(circle(goal, 0.15 * ROBOT_RADIUS), theme.ink, 0.3 * ROBOT_RADIUS)
-    drawing.log(stream, entities.TASK, draw_order=22.0)
+    centres = [robot.start, robot.goal, robot.goal]
+    radii = ROBOT_RADIUS * np.array([1.0, 1.0, 0.4])
+    rings = rr.Ellipses2D(
+        centers=centres,
+        half_sizes=np.stack([radii, radii], axis=-1),
+        colors=theme.ink,
+        line_radii=rr.Radius.ui_points([0.8, 1.2, 1.2]),
+        draw_order=22.0,
+    )
+    told = rr.AnyValues(told=["the robot's start", "its goal", "its goal"])
+    stream.log(entities.TASK, rings, told, static=True)
 
 
-def log_labels(
-    stream: rr.RecordingStream, rollouts: Rollouts, bounds: Bounds, theme: Theme
-) -> None:
-    """Write each action's name near where its paths end."""
-    labels = tuple(short_label(name) for name in rollouts.names)
-    some = rollouts.robot[:, :MOST_PATHS_BESIDE_LABELS, ::PATH_STRIDE, :2]
-    drawing = Drawing(lift=metres_per_pixel(bounds) * LABEL_HEIGHT / 2.0)
-    ends = rollouts.robot[:, :, -1, :2].mean(axis=1)
-    places = label_places(labels, ends, some, rollouts.scene.wall_segments, bounds)
-    for name, words, end, place in zip(rollouts.names, labels, ends, places, strict=True):
-        # dark, since it lies on paths of every colour; the dot at its end says whose it is
-        drawing.line(leader(end, place, half_size(words, bounds)), theme.ink, 1.2)
-        drawing.dot(end.tolist(), theme.ink, 9.0)
-        drawing.dot(end.tolist(), theme.action_colour(name), 6.0)
-        drawing.text(place.tolist(), words)
-    drawing.log(stream, entities.LABELS, draw_order=LABEL_ORDER)
+def log_scale(stream: rr.RecordingStream, bounds: Bounds, theme: Theme) -> None:
+    """Draw a bar of a round number of metres into the lower left corner of a view."""
+    x0, y0, x1, _ = bounds
+    left, bottom = x0 + SCALE_INSET * (x1 - x0), y0 + SCALE_INSET * (x1 - x0)
+    bar = [(left, bottom), (left + scale_length(bounds), bottom)]
+    line = rr.LineStrips2D([bar], colors=theme.ink, radii=rr.Radius.ui_points(1.5))
+    # a single text would not be shown
+    told = rr.AnyValues(told=[f"{scale_length(bounds):g} m"] * 2)
+    stream.log(entities.SCALE, line, told, static=True)
 
 
-def grid_lines(bounds: Bounds) -> FloatArray:
-    """Lines at whole metres, or at whole tens where there would be more than 60.
-
-    Returns:
-        [N, 2, 2], m.
-    """
-    x0, y0, x1, y1 = bounds
-    size = max(x1 - x0, y1 - y0)
-    step = 1.0 if size <= 60.0 else 10.0
-    # views show more than the bounds where their shape is another
-    across = step * np.arange(np.floor((x0 - size) / step), np.ceil((x1 + size) / step) + 1)
-    up = step * np.arange(np.floor((y0 - size) / step), np.ceil((y1 + size) / step) + 1)
-    vertical = [[(x, up[0]), (x, up[-1])] for x in across]
-    horizontal = [[(across[0], y), (across[-1], y)] for y in up]
-    return np.array(vertical + horizontal)
+def scale_length(bounds: Bounds) -> float:
+    """How long the bar is in a view with these bounds, m."""
+    return round_step(SCALE_SHARE * (bounds[2] - bounds[0]), 1.0)
 
 
-def circle(centre: FloatArray, radius: float) -> FloatArray:
-    """A closed ring, [49, 2], m."""
-    angles = np.linspace(0.0, 2.0 * np.pi, 49)
-    ring: FloatArray = centre + radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    return ring
+def log_without_robot(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> None:
+    """Keep the M times P walks of the people had the robot not been there, one line a walk."""
+    walks = rounded(rollouts.without_robot).swapaxes(1, 2)  # (M, P, T+1, 2)
+    count, people = walks.shape[:2]
+    lines = rr.LineStrips2D(
+        strips(walks.reshape(-1, *walks.shape[2:])),
+        colors=blend(theme.pedestrian, theme.panel, 0.25),
+        radii=rr.Radius.ui_points(0.5),
+        draw_order=-5.0,
+    )
+    told = told_of_people([f"rollout {place} without the robot" for place in range(count)], people)
+    stream.log(entities.WITHOUT_ROBOT, lines, rr.AnyValues(told=told), static=True)

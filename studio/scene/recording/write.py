@@ -1,4 +1,4 @@
-"""Write what was simulated, and what three teachers make of it, as a Rerun recording.
+"""Write what was simulated, and what the teachers make of it, as a Rerun recording.
 
 `recordings/README.md` is the reference of what a recording holds; `SCHEMA_VERSION` counts its
 editions.
@@ -12,49 +12,61 @@ import rerun as rr
 import tomli_w
 
 from scenes import Rollouts, scene_to_toml
-from studio.arrays import Bounds
-from studio.recorder.drawing import log_ground, y_upwards
+from studio.arrays import Bounds, FloatArray
+from studio.recorder.figures import log_figure
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
+from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities
-from studio.scene.recording.action_table import log_action_table
-from studio.scene.recording.actions import log_action, log_without_robot
+from studio.scene.recording.actions import log_action
 from studio.scene.recording.blueprint import VIEW_SHAPE, recording_blueprint
-from studio.scene.recording.distributions import log_distributions
-from studio.scene.recording.minds import log_curves
-from studio.scene.recording.numbers import log_gap, log_judgements, log_outcomes
+from studio.scene.recording.figures import log_worths, paint_minds, paint_utilities
+from studio.scene.recording.outcomes import (
+    gap_range,
+    log_actions,
+    log_gaps,
+    log_histograms,
+    log_judgements,
+    log_outcomes,
+    log_touching,
+)
 from studio.scene.recording.pages import disagreements_page, scene_page, scene_summary
-from studio.scene.recording.prospects import log_prospects
-from studio.scene.recording.ranks import log_ranks
 from studio.scene.recording.world import log_world
 from studio.style.palette import LIGHT, Theme
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 """Edition of the layout that `recordings/README.md` describes."""
+
+
+MOST_PATHS = 100
+"""Of how many rollouts the paths are kept; more are too many to look at, and to keep."""
 
 
 def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> None:
     """Write a recording (`.rrd`) of one scene under all its actions.
 
+    Where there are many rollouts, it holds the outcomes of all and the paths of the first hundred.
+
     Raises:
         OSError: if the file cannot be written.
     """
+    rollouts = rollouts.keep_paths(MOST_PATHS)
     versions, theme = package_versions(), LIGHT.of(rollouts.names)
-    bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
-    blueprint = recording_blueprint(rollouts, len(judgements), bounds)
+    bounds, gap = bounds_of_shape(rollouts, *VIEW_SHAPE), gap_over_time(rollouts)
+    blueprint = recording_blueprint(rollouts, bounds, gap_range(gap))
     with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
         stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
-        log_simulation(stream, rollouts, judgements, bounds, versions, theme)
+        log_simulation(stream, rollouts, judgements, bounds, gap, versions, theme)
+        log_actions(stream, rollouts, judgements)
+        log_histograms(stream, rollouts, theme)
+        log_touching(stream, rollouts, gap, theme)
         if rollouts.scene.pedestrians:
-            log_gap(stream, rollouts, theme)
-        stream.log(entities.FIGURES, y_upwards(), static=True)
-        log_distributions(stream, rollouts, theme)
-        log_action_table(stream, rollouts, judgements, theme)
-        log_prospects(stream, rollouts, judgements, theme)
-        log_curves(stream, judgements)
-        log_ranks(stream, rollouts.names, judgements, theme)
+            log_gaps(stream, rollouts, gap, theme)
+        log_worths(stream, rollouts, judgements, theme)
+        log_figure(stream, entities.UTILITIES, paint_utilities(rollouts, judgements, theme))
+        log_figure(stream, entities.MINDS, paint_minds(rollouts, judgements, theme))
         log_page(stream, entities.SUMMARY, scene_summary(rollouts, judgements))
         log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
         log_page(stream, entities.ABOUT, scene_page(rollouts, judgements, versions))
@@ -65,20 +77,18 @@ def log_simulation(
     rollouts: Rollouts,
     judgements: tuple[Judgement, ...],
     bounds: Bounds,
+    gap: FloatArray,
     versions: dict[str, str],
     theme: Theme,
 ) -> None:
     """Keep what was simulated and judged: all that a scene is read back from.
 
-    Views of the world show these bounds.
+    Views of the world show these bounds. The gap [A, M, T+1] is that to the nearest person, m.
     """
     log_simulation_properties(stream, rollouts, judgements, versions)
-    log_ground(stream)
     log_world(stream, rollouts, bounds, theme)
     for index in range(len(rollouts.actions)):
-        log_action(stream, rollouts, index, theme)
-    if rollouts.scene.pedestrians:
-        log_without_robot(stream, rollouts, theme)
+        log_action(stream, rollouts, judgements, index, gap[index], theme)
     log_outcomes(stream, rollouts)
     log_judgements(stream, judgements)
 
@@ -100,6 +110,7 @@ def log_simulation_properties(
             schema_version=SCHEMA_VERSION,
             seed=rollouts.seed,
             rollouts=rollouts.count,
+            paths=rollouts.paths,
             dt=rollouts.dt,
             horizon=rollouts.horizon,
             model=rollouts.model,
