@@ -219,7 +219,9 @@ class Studio:
         bank = Path(outcomes) if outcomes is not None else self._default_bank()
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / f".{name}.unfinished.parquet"
-        files = tuple(self.out / f"{name}{suffix}" for suffix in (".parquet", ".png", ".rrd"))
+        files = tuple(
+            self.out / f"{name}{suffix}" for suffix in (".parquet", ".png", "-2.png", ".rrd")
+        )
         if not force:
             check_loses_no_fits(study, files, unfinished)
         with replacing(*files) as parts, replacing(*drawn, option="--figure") as papers:

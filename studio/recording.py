@@ -69,6 +69,7 @@ class Excerpt:
     actions: tuple[str, ...] = ()  # names of some actions of a scene
     start: float | None = None  # where it begins on the timeline
     end: float | None = None  # where it ends there
+    page: int = 1  # of the still picture, for a recording whose picture has several
 
     def span(self, first: float, last: float) -> tuple[float, float]:
         """From where to where the excerpt goes on a timeline from `first` to `last`."""
@@ -95,6 +96,11 @@ class Recording(Protocol):
     @property
     def still_is_cut(self) -> bool:
         """Whether the still picture, too, shows only what lies between the excerpt's ends."""
+
+    @property
+    def pages(self) -> int:
+        """How many pages the still picture has."""
+        return 1
 
     def still(self, look: Look, excerpt: Excerpt) -> Canvas:
         """Draw the still picture."""
@@ -170,6 +176,11 @@ def check_files(paths: Sequence[Path], recording: Recording, excerpt: Excerpt) -
     for path in paths:
         if resolved.count(path.resolve()) > 1:
             raise InputError(f"{path}: is named twice: each file once")
+    if not 1 <= excerpt.page <= recording.pages:
+        pages = "1" if recording.pages == 1 else f"1 to {recording.pages}"
+        raise InputError(f"--page: {excerpt.page} is not there: {pages}")
+    if excerpt.page > 1 and not any(path.suffix == ".png" for path in paths):
+        raise InputError("--page: goes with a picture, a film shows all pages")
     is_timed = excerpt.start is not None or excerpt.end is not None
     is_still = all(path.suffix == ".png" for path in paths)
     if is_timed and is_still and not recording.still_is_cut:

@@ -179,9 +179,10 @@ def learn(
     """Study how well learners recover what teachers want.
 
     Teachers choose between pairs of actions, learners are fitted to the choices and put to the test
-    on scenes that were kept back. Writes OUT/learning.parquet, learning.png and learning.rrd, and
-    into OUT/scenes the recordings of the few scenes that learning.rrd links to; an interrupted
-    study continues where it stopped. Fits of another study are not replaced, unless by --force.
+    on scenes that were kept back. Writes OUT/learning.parquet, learning.png (the finding),
+    learning-2.png (what was learned) and learning.rrd, and into OUT/scenes the recordings of the
+    few scenes that learning.rrd links to; an interrupted study continues where it stopped. Fits of
+    another study are not replaced, unless by --force.
     """
     from studio.cli.reports import learned_report
     from studio.study.teachers import read_teachers
@@ -217,6 +218,7 @@ def learn(
 )
 @click.option("--from", "start", type=float, cls=SpanOption, help="Where to begin:")
 @click.option("--to", "end", type=float, help="Where to end, in the same unit.")
+@click.option("--page", default=1, show_default=True, help="Of the picture; a study has two.")
 def render(
     file: Path,
     png: Path | None,
@@ -229,6 +231,7 @@ def render(
     codec: str,
     start: float | None,
     end: float | None,
+    page: int,
 ) -> None:
     """Paint pictures and films from a recording alone.
 
@@ -243,7 +246,7 @@ def render(
     for option, named in {".png": png, ".mp4": mp4, ".gif": gif}.items():
         if named is not None and named.suffix != option:
             raise InputError(f"--{option[1:]}: {named}: a name that ends in {option} is needed")
-    look, excerpt = Look(size, fps, theme, codec), Excerpt(actions, start, end)
+    look, excerpt = Look(size, fps, theme, codec), Excerpt(actions, start, end, page)
     _print(files_report(_studio().render(file, *files, look=look, excerpt=excerpt)))
 
 

@@ -27,19 +27,22 @@ class StudyRecording(Recording):
     results: StudyResults
 
     still_is_cut = True
+    pages = 2
 
     @property
     def size(self) -> Size:
         """Size of the still picture unless one asks for another, px."""
-        from studio.study.picture.page import SIZE
+        from studio.study.picture.finding import SIZE
 
         return SIZE
 
     def still(self, look: Look, excerpt: Excerpt) -> Canvas:
-        """Draw the still picture of the excerpt, which is counted in pairs."""
+        """Draw the finding of the excerpt, counted in pairs, or as page 2 what was learned."""
+        from studio.study.picture.finding import compose_finding
         from studio.study.picture.page import compose_study_picture
 
-        return compose_study_picture(self.between(excerpt), look.size or self.size, look.colours)
+        compose = compose_finding if excerpt.page == 1 else compose_study_picture
+        return compose(self.between(excerpt), look.size or self.size, look.colours)
 
     def moving(self, size: Size, look: Look, excerpt: Excerpt) -> list[Segment]:
         """The film of the excerpt, which is counted in pairs."""

@@ -17,19 +17,23 @@ class RegretRange:
     what margins, each medium decides.
     """
 
-    least: float  # the smallest mean above 0; infinite if there is none
-    most: float  # the largest mean or upper end of an interval; 0 without curves
-    has_zero: bool  # whether a mean is 0
+    least: float  # the smallest above 0 of all means and seeds; infinite if there is none
+    most: float  # the largest mean, seed or upper end of an interval; 0 without curves
+    has_zero: bool  # whether a mean, or the regret of a seed, is 0
 
     @classmethod
     def around(cls, curves: Sequence[Curve]) -> "RegretRange":
         """The range of these curves of regret."""
         means = np.concatenate([np.zeros(0), *(curve.mean for curve in curves)])
         highs = np.concatenate([means, *(curve.high for curve in curves)])
-        least = float(means[means > 0.0].min(initial=np.inf))
-        return cls(least, float(highs.max(initial=0.0)), bool((means <= 0.0).any()))
+        seeds = np.concatenate([means, *(samples for curve in curves for samples in curve.samples)])
+        # a single lucky seed does not stretch the axis by more than a factor of four
+        lowest = float(means[means > 0.0].min(initial=np.inf)) / 4.0
+        least = max(float(seeds[seeds > 0.0].min(initial=np.inf)), lowest)
+        most = max(float(highs.max(initial=0.0)), float(seeds.max(initial=0.0)))
+        return cls(least, most, bool((seeds <= 0.0).any()))
 
     @property
     def start(self) -> float:
-        """The smallest mean above 0, or 0.1 % where there is none."""
+        """The smallest regret above 0 that is shown, or 0.1 % where there is none."""
         return self.least if np.isfinite(self.least) else 0.1

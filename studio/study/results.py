@@ -296,10 +296,6 @@ class Stage:
         sizes = self.sizes
         return tuple(sorted({sizes[0], sizes[len(sizes) // 2], sizes[-1]})) if sizes else ()
 
-    def so_far(self, curve: Curve) -> Curve:
-        """The part of a curve that is known; without numbers if there is none yet."""
-        return curve.where(curve.pairs <= self.reached)
-
     def largest(self, teacher: Teacher, learner: str) -> list[Row]:
         """The fits of one learner to one teacher from the most pairs so far."""
         return self.results.fits_of(teacher, learner, self.sizes[-1]) if self.sizes else []

@@ -8,7 +8,7 @@ import math
 
 from learners import FEATURES, CptParameters, Teacher
 from studio.study.results import Stage, StudyResults
-from studio.style.words import counted, learner_name, number, short, signed, teacher_name
+from studio.style.words import counted, learner_name, listed, number, short, signed, teacher_name
 
 NO_FITS = "no fits yet"
 
@@ -55,6 +55,62 @@ def study_titles(results: StudyResults) -> list[str]:
     if results.shaped and len(results.shaped) < len(results.learners):
         return ["Learning what people prefer, with and without their sense of risk", *rest]
     return rest
+
+
+def findings_told(results: StudyResults) -> list[str]:
+    """Wordings of the study's result: which of two learners has less regret, and of whom.
+
+    A teacher counts where the 95 % interval of the paired difference at the most pairs leaves no
+    doubt. Without two learners it is a title that states no result.
+    """
+    if results.paired is None or not results.sizes:
+        return study_titles(results)
+    pairs, (ours, theirs) = results.sizes[-1], map(learner_name, results.paired)
+    better, worse, undecided = list[str](), list[str](), list[str]()
+    for teacher in results.taught:
+        found = results.difference(teacher, *results.paired, pairs)
+        if found is None:
+            continue
+        is_open = found.runs < 2 or found.low <= 0.0 <= found.high
+        group = undecided if is_open else better if found.difference < 0.0 else worse
+        group.append(short_teacher_name(teacher))
+    told = [
+        f"{who} has less regret than {other} for {listed(names)}"
+        for who, other, names in ((ours, theirs, better), (theirs, ours, worse))
+        if names
+    ]
+    still_open = f"for {listed(undecided)} it is open" if undecided else ""
+    if not told:
+        told = [f"whether {ours} has less regret than {theirs} is open"]
+        still_open = ""
+    whole = ", ".join([*told, *filter(None, [still_open])])
+    short = ", ".join(told)
+    return [
+        f"After {counted(pairs, 'pair')}, {whole}",
+        _capital(whole),
+        f"After {counted(pairs, 'pair')}, {short}",
+        _capital(short),
+        *study_titles(results),
+    ]
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def finding_notes(results: StudyResults) -> list[str]:
+    """What the marks of the first page mean, in sentences."""
+    if not results.fits:
+        return []
+    said = ["Regret on held-out scenes, in % of what a random action costs; both axes logarithmic"]
+    if results.seeds > 1:
+        said.append(
+            f"Line: mean over {results.seeds} seeds, band: its 95 % bootstrap interval; "
+            "dots: seeds; bars: interquartile mean with its 95 % interval"
+        )
+        if results.paired:
+            said.append("In the heads: paired difference at the most pairs with its 95 % interval")
+    return [f"{note}." for note in said]
 
 
 def study_subtitles(results: StudyResults, left_out: int) -> list[str]:
@@ -170,13 +226,15 @@ def lesson(results: StudyResults, teacher: Teacher) -> str:
     found = results.difference(teacher, best, worst, pairs)
     if found is None:
         return f"{names} in the mean."
-    sides = (found.difference, found.high, found.low)
-    less, low, high = (number(-side + 0.0, ".2f") for side in sides)
+    shift, low, high = map(signed, (found.difference, found.low, found.high))
+    if shift == signed(0.0):
+        both = f"The {learner_called(best)} and the {learner_called(worst)}"
+        return f"{both} have the same regret in the mean, to 0.01 percentage points."
     if found.runs == 1:
-        return f"{names} in the one seed, by {less} percentage points."
-    interval = f"{less} percentage points (95 %: {low} to {high})"
+        return f"{names} in the one seed: {shift} percentage points."
+    interval = f"{shift} percentage points [{low}, {high}]"
     if found.high < 0.0:
-        return f"{names}, by {interval}."
+        return f"{names}: {interval}."
     return f"{names} in the mean, though not for sure: {interval}."
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from studio.study.links import Links
+from studio.study.picture.finding import compose_finding
 from studio.study.picture.page import compose_study_picture
 from studio.study.recording.write import write_study_recording
 from studio.study.results import StudyResults
@@ -13,14 +14,15 @@ from studio.study.run import write_table
 def write_study(
     files: Sequence[Path], papers: Sequence[Path], results: StudyResults, bank: str, links: Links
 ) -> str:
-    """Write a study's table, picture and recording, in this order, and its figures for papers.
+    """Write a study's table, two pictures, recording, in this order, and its figures for papers.
 
     The bank is given by its name, and the links lead to recordings of its scenes. What comes back
     is the caption of the figures; it is empty if there are none.
     """
-    parquet, png, rrd = files
+    parquet, first, second, rrd = files
     write_table(parquet, results.table)
-    compose_study_picture(results).save(png)
+    compose_finding(results).save(first)
+    compose_study_picture(results).save(second)
     write_study_recording(rrd, results, {"outcomes": bank}, links)
     caption = ""
     for paper in papers:

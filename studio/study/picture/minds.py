@@ -15,6 +15,7 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import dashed_path, dot
 from studio.painter.paths import draw_faint_paths
 from studio.study.fits import Row, learnt_parameters, parameters_of, pooled_calibration
+from studio.study.picture.growth import fits_between
 from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
@@ -80,11 +81,13 @@ def draw_shapes(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
 
 def _shaded_fits(stage: Stage, teacher: Teacher) -> list[tuple[float, Row]]:
     """Fits of the learner whose shapes are shown, few pairs first, and how dark to draw them."""
-    sizes, results = stage.sharpening, stage.results
+    sizes, learner = stage.sharpening, stage.results.shaped[0]
+    fits = [stage.results.fits_of(teacher, learner, pairs) for pairs in sizes[:-1]]
+    fits += [fits_between(stage, teacher, learner)] if sizes else []
     return [
         (shade, fit)
-        for shade, pairs in zip(_SHADES[len(sizes)], sizes, strict=True)
-        for fit in results.fits_of(teacher, results.shaped[0], pairs)[:_MOST_SEEDS]
+        for shade, some in zip(_SHADES[len(sizes)], fits, strict=True)
+        for fit in some[:_MOST_SEEDS]
     ]
 
 
@@ -147,7 +150,7 @@ def draw_parameters(
 ) -> None:
     """Draw θ and the parameters that were learnt from the most pairs, a dot a seed."""
     shaped = stage.results.shaped
-    learnt = {name: stage.largest(teacher, name) for name in stage.results.learners}
+    learnt = {name: fits_between(stage, teacher, name) for name in stage.results.learners}
     halves = box.columns((1.45, 1), _GAP * canvas.unit) if shaped else (box,)
     low, high = scales.theta
     truth = unit_vector(teacher.reward)

@@ -1,10 +1,11 @@
-"""One still picture of a study: who learned what from whom, and how fast.
+"""The second page of a study: what was learned from whom, beside what is true.
 
 One column a teacher. From above: regret over the number of pairs, the weighting and the value
 function that were learnt beside the true ones, the parameters, and how well preferences and picks
 are predicted. A single teacher gets the page to himself, in two columns.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from learners import Teacher
@@ -12,25 +13,15 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
+from studio.study.picture.finding import MOST_TEACHERS, SIZE
+from studio.study.picture.heads import draw_head, head_height
 from studio.study.picture.minds import draw_calibration, draw_parameters, draw_shapes
 from studio.study.picture.progress import draw_agreement, draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
-from studio.study.words import (
-    notes,
-    parameters_told,
-    reached,
-    study_subtitles,
-    study_titles,
-    verdicts,
-)
-from studio.style.palette import LIGHT, Theme, teacher_colour
-from studio.style.words import teacher_name
+from studio.study.words import notes, reached, study_subtitles, study_titles
+from studio.style.palette import LIGHT, Theme
 
-SIZE = (1600, 1000)
-"""Width and height of the picture unless one asks for others, px."""
-
-_MOST_TEACHERS = 4  # columns of more teachers would be too narrow to read
 _BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
@@ -39,7 +30,7 @@ _WIDE = 1.2  # a teacher's part of the page that is wider than this many heights
 def compose_study_picture(
     results: StudyResults, size: tuple[int, int] = SIZE, theme: Theme = LIGHT
 ) -> Canvas:
-    """Draw the picture of a study, of whose teachers the first four are shown; sizes are in px.
+    """Draw what a study learned, of whose teachers the first four are shown; sizes are in px.
 
     Raises:
         InputError: if the size is not allowed.
@@ -70,17 +61,20 @@ class StudyPage:
     heading: Box  # where the title lies; the number of pairs is at its right
     columns: tuple[TeacherColumn, ...]  # one a teacher
     notes: Box  # where the notes lie
+    more_notes: tuple[str, ...]  # that follow the usual ones
     scales: Scales  # that the plots of all teachers share
 
 
-def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) -> StudyPage:
-    """Draw what stays the same at all stages of a study.
+def lay_out_study(
+    results: StudyResults, size: tuple[int, int], theme: Theme, *more_notes: str
+) -> StudyPage:
+    """Draw what stays the same at all stages of a study; further notes follow the usual ones.
 
     Raises:
         InputError: if the size is not allowed.
     """
-    left_out = len(results.teachers[_MOST_TEACHERS:])
-    results = results.among(results.teachers[:_MOST_TEACHERS])
+    left_out = len(results.teachers[MOST_TEACHERS:])
+    results = results.among(results.teachers[:MOST_TEACHERS])
     canvas = Canvas(*size, theme)
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
@@ -88,7 +82,7 @@ def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) ->
     heading = draw_heading(
         canvas, page, study_titles(results), study_subtitles(results, left_out), room
     )
-    lines = max(len(_note_lines(canvas, page, stage)) for stage in results.stages)
+    lines = max(len(_note_lines(canvas, page, stage, more_notes)) for stage in results.stages)
     notes_top = page.bottom - lines * _NOTE_STEP * kind.small
     notes_box = Box(page.left, notes_top, page.right, page.bottom)
     body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
@@ -97,17 +91,15 @@ def lay_out_study(results: StudyResults, size: tuple[int, int], theme: Theme) ->
         _lay_out_column(canvas, box, results, teacher)
         for teacher, box in zip(results.teachers, boxes, strict=False)
     )
-    return StudyPage(canvas, results, heading, columns, notes_box, Scales.around(results))
+    scales = Scales.around(results)
+    return StudyPage(canvas, results, heading, columns, notes_box, more_notes, scales)
 
 
 def _lay_out_column(
     canvas: Canvas, box: Box, results: StudyResults, teacher: Teacher
 ) -> TeacherColumn:
     kind, unit, gap = canvas.type, canvas.unit, _BETWEEN * canvas.unit
-    # two lines, each of which may end a pixel lower than it is high
-    height = 9 * unit + kind.heading + 1
-    height += 2 * unit + kind.small + 1 if results.paired else 0
-    head = Box(box.left, box.top, box.right, box.top + height)
+    head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
     rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
     minds = 2 if results.shaped else 1
     if rest.width > _WIDE * rest.height:
@@ -135,41 +127,19 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
     canvas.text(corner, reached(stage), kind.title, ink, SEMIBOLD, anchor="right", line="top")
     for column in page.columns:
         teacher = column.teacher
-        _draw_head(canvas, column.head, stage, teacher)
+        draw_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
             draw_shapes(canvas, column.shapes, stage, teacher, scales)
         draw_parameters(canvas, column.parameters, stage, teacher, scales)
         draw_calibration(canvas, column.calibration, stage, teacher, scales)
         draw_regret(canvas, column.regret, stage, teacher, scales)
         draw_agreement(canvas, column.agreement, stage, teacher, scales)
-    for index, line in enumerate(_note_lines(canvas, page.notes, stage)):
+    for index, line in enumerate(_note_lines(canvas, page.notes, stage, page.more_notes)):
         top = page.notes.top + index * _NOTE_STEP * kind.small
         canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
     return canvas
 
 
-def _note_lines(canvas: Canvas, box: Box, stage: Stage) -> list[str]:
+def _note_lines(canvas: Canvas, box: Box, stage: Stage, more: Sequence[str]) -> list[str]:
     """What lines and marks mean, broken into lines of the box's width."""
-    return canvas.wrapped(notes(stage), box.width, canvas.type.small)
-
-
-def _draw_head(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher) -> None:
-    """Write who was learned from, their parameters, and who learned better."""
-    kind, unit = canvas.type, canvas.unit
-    colour = canvas.theme.legible(teacher_colour(teacher.name))
-    canvas.fill(Box(box.left, box.top, box.right, box.top + max(2.0, 3 * unit)), colour)
-    name = teacher_name(teacher.name)
-    title = f"Teacher: {name}"
-    if canvas.measure(title, kind.heading, SEMIBOLD) > box.width:
-        title = canvas.abbreviated(name, box.width, kind.heading, SEMIBOLD)
-    at = (box.left, box.top + 9 * unit)
-    written = canvas.text(at, title, kind.heading, colour, SEMIBOLD, line="top")
-    said = parameters_told(teacher)
-    if canvas.measure(said, kind.small) <= box.right - written.right - 14 * unit:
-        at = (box.right, written.centre[1])
-        canvas.text(at, said, kind.small, canvas.theme.faint, anchor="right")
-    wordings = verdicts(stage, teacher)
-    if wordings:
-        verdict = canvas.fitted(wordings, box.width, kind.small)
-        at = (box.left, written.bottom + 2 * unit)
-        canvas.text(at, verdict, kind.small, canvas.theme.ink, line="top")
+    return canvas.wrapped([*notes(stage), *more], box.width, canvas.type.small)

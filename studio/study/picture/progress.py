@@ -10,18 +10,22 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.marks import band, dot
+from studio.painter.marks import band
+from studio.painter.pens import pen_marker, pen_path
+from studio.study.picture.growth import grown
 from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage
 from studio.study.words import NO_FITS
-from studio.style.palette import learner_colour
+from studio.style.palette import Pen, blend, learner_pen
 from studio.style.ticks import decades, ticks
 from studio.style.words import learner_name, number
 
+_ASIDE = 7.0  # from the seeds of one learner to those of the next, in units of the page
+
 
 def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
-    """Draw how regret fell with the number of pairs so far, both logarithmic."""
+    """Draw how regret fell with the number of pairs so far, both logarithmic, with every seed."""
     kind = canvas.type
     wordings = [
         "Held-out regret, % of a random action's",
@@ -37,7 +41,7 @@ def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
     marks = [0.0, *marks] if has_zero else marks
     curves = stage.results.curves_of("regret_percent", teacher)
-    drawn = _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent)
+    drawn = _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent, seeds_too=True)
     if not drawn:
         canvas.text(panel.centre, NO_FITS, kind.small, canvas.theme.faint, anchor="centre")
 
@@ -70,12 +74,16 @@ def _draw_curves(
     marks: Sequence[float],
     scale: float,
     say: Callable[[float], str],
+    seeds_too: bool = False,
 ) -> int:
     """Draw curves over the number of pairs, with bands, and names at their ends.
 
     They go as far as the stage does; their names stand to the right of the farthest end. The axis
-    upwards is that of the curves' values times `scale`, which `say` turns into words.
-    Returned is how many curves have begun.
+    upwards is that of the curves' values times `scale`, which `say` turns into words. Every seed
+    and the interquartile mean may be drawn, too.
+
+    Returns:
+        How many curves have begun.
     """
     unit, size = canvas.unit, canvas.type.small
 
@@ -86,12 +94,12 @@ def _draw_curves(
     longest = [wordings(curve, mean)[0] for curve in curves for mean in curve.mean]
     widest = [canvas.measure(said, size, SEMIBOLD) for said in longest]
     room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
-    pen = 9 * unit
+    margin = 9 * unit
     sizes = [float(pairs) for pairs in stage.results.sizes]
     first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
     if first == last:
         first = last / 4.0  # a single dot lies beside its name
-    start, end = panel.left + pen, panel.right - room - pen
+    start, end = panel.left + margin, panel.right - room - margin
     across = LogAxis(first, last, start, end, start)
     ground(
         canvas,
@@ -105,29 +113,61 @@ def _draw_curves(
     if written and canvas.measure("pairs", size) + 8 * unit <= panel.right - written.right:
         at = (written.right + 8 * unit, panel.bottom + 0.2 * size)
         canvas.text(at, "pairs", size, canvas.theme.faint, line="top")
-    begun = [curve for curve in map(stage.so_far, curves) if len(curve.pairs)]
-    colours = [learner_colour(curve.learner) for curve in begun]
+    begun = [each for curve in curves if len((each := grown(curve, stage.reached)).pairs)]
+    pens = [learner_pen(curve.learner) for curve in begun]
     paths = [
         np.stack([across.along(curve.pairs), up.along(scale * curve.mean)], axis=-1)
         for curve in begun
     ]
-    for curve, colour in zip(begun, colours, strict=True):
+    for curve, pen in zip(begun, pens, strict=True):
         if len(curve.pairs) > 1 and (curve.runs > 1).any():
             low, high = up.along(scale * curve.low), up.along(scale * curve.high)
-            band(canvas, plot, across.along(curve.pairs), low, high, colour)
+            band(canvas, plot, across.along(curve.pairs), low, high, pen.colour)
     part = canvas.clipped(plot)
-    for path, colour in zip(paths, colours, strict=True):
-        part.line(path, colour, 2.6 * unit)
-    for path, colour in zip(paths, colours, strict=True):
-        for x, y in path.tolist():
-            dot(part, x, y, colour, 3.4)
-    left = max((float(path[-1, 0]) for path in paths), default=end) + pen
+    if seeds_too:
+        for place, (curve, pen) in enumerate(zip(begun, pens, strict=True)):
+            aside = (place - (len(begun) - 1) / 2) * _ASIDE * unit
+            _draw_seeds(part, curve, across, up, scale, pen, aside)
+    for path, pen in zip(paths, pens, strict=True):
+        pen_path(part, path, pen, 2.6 * unit)
+    for curve, path, pen in zip(begun, paths, pens, strict=True):
+        for x, y in path[curve.runs > 0].tolist():
+            pen_marker(part, (x, y), pen, 3.6 * unit)
+    left = max((float(path[-1, 0]) for path in paths), default=end) + margin
     labels = [
-        (float(path[-1, 1]), wordings(curve, curve.mean[-1]), colour)
-        for curve, path, colour in zip(begun, paths, colours, strict=True)
+        (float(path[-1, 1]), wordings(curve, curve.mean[-1]), pen.colour)
+        for curve, path, pen in zip(begun, paths, pens, strict=True)
     ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
     return len(begun)
+
+
+def _draw_seeds(
+    canvas: Canvas,
+    curve: Curve,
+    across: LogAxis,
+    up: Axis | LogAxis,
+    scale: float,
+    pen: Pen,
+    aside: float,
+) -> None:
+    """Draw a dot for every seed, and a bar with its interval for the interquartile mean.
+
+    They stand a little to the side of the mean (px), so that those of several learners can be told
+    apart.
+    """
+    unit, faint = canvas.unit, blend(pen.colour, canvas.theme.panel, 0.5)
+    for pairs, samples, middle, low, high in zip(
+        curve.pairs, curve.samples, curve.middle, curve.middle_low, curve.middle_high, strict=False
+    ):
+        x = across.at(float(pairs)) + aside
+        for y in up.along(scale * samples).tolist():
+            canvas.disc((x, y), 1.9 * unit, faint)
+        if len(samples) > 1:
+            ends = up.along(scale * np.array([low, high]))
+            canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)
+            y, reach = up.at(scale * float(middle)), 0.45 * _ASIDE * unit
+            canvas.line([(x - reach, y), (x + reach, y)], pen.colour, 2.4 * unit)
 
 
 def _percent(share: float) -> str:
