@@ -12,108 +12,176 @@ from learners import (
     PARAMETER_COLUMNS,
     TEACHERS,
     CptParameters,
+    Spread,
     Teacher,
     unit_vector,
 )
-from studio.recorder.markdown import link, table
-from studio.study.recording import entities
+from studio.recorder.markdown import table
+from studio.study.links import Links
 from studio.study.results import StudyResults
 from studio.study.words import learner_called, lesson, teacher_called
-from studio.style.words import counted, learner_name, number, teacher_name
+from studio.style.words import action_label, counted, learner_name, number, teacher_name
+
+LEAST_PERCENT = 0.1
+"""Regrets of scenes that are smaller, in % of a random action's, are told as less than this."""
 
 
 @dataclass(frozen=True)
 class _Column:
     """How pages write a column of the study's table."""
 
+    words: str
     name: str
     form: str  # of its numbers, as Python formats them
     factor: float = 1.0  # what its numbers are multiplied by
 
+    def told(self, spread: Spread | None) -> str:
+        """The mean over seeds, and its 95 % interval if there is more than one."""
+        if spread is None:
+            return "–"
+        return self._told(spread.runs, spread.mean, spread.low, spread.high)
 
-_REGRET = _Column("regret_percent", ".2f")
-_AGREEMENT = _Column("agreement", ".0f", 100.0)
-_COSINE = _Column("theta_cosine", ".3f")
-_LOSS, _LEAST_LOSS = _Column("nll", ".3f"), _Column("nll_teacher", ".3f")
+    def middle_told(self, spread: Spread | None) -> str:
+        """The interquartile mean of the seeds, and its interval likewise."""
+        if spread is None:
+            return "–"
+        return self._told(spread.runs, spread.middle, spread.middle_low, spread.middle_high)
+
+    def _told(self, runs: int, *numbers: float) -> str:
+        value, low, high = (number(self.factor * each, self.form) for each in numbers)
+        return f"{value} [{low}, {high}]" if runs > 1 else value
+
+
+_REGRET = _Column("regret, %", "regret_percent", ".2f")
+_QUALITIES = (
+    (_REGRET, "0"),
+    (_Column("best action found, %", "agreement", ".0f", 100.0), "100"),
+    (_Column("cosine of θ", "theta_cosine", ".3f"), "1"),
+)
+"""What is told of every learner, and what it is at best."""
 
 
 def study_summary_page(results: StudyResults) -> str:
-    """What to look at first: how far every learner gets, and every regret in a table."""
+    """What to look at first: how far every learner gets."""
     last = results.sizes[-1]
+    rows = [
+        [
+            teacher_name(teacher.name),
+            learner_name(learner),
+            _REGRET.told(spread),
+            _REGRET.middle_told(spread),
+        ]
+        for teacher in results.teachers
+        for learner in results.learners
+        if (spread := results.spread(_REGRET.name, teacher, learner, last))
+    ]
     lessons = [(teacher, lesson(results, teacher)) for teacher in results.teachers]
     return "\n".join(
         [
-            "# What was learned",
-            "",
-            f"Teachers chose between {counted(last, 'pair')} of actions or fewer; learners were "
-            "fitted to the choices and then picked an action in every scene that was held out. "
-            "Regret is what the teacher loses by these picks, in % of what picking at random "
-            "would cost.",
-            "",
-            "Drag the time below, or play, to see minds sharpen with the number of pairs.",
-            "",
-            f"## After {counted(last, 'pair')}",
-            "",
-            *table(
-                ["teacher", "learner", "regret, %", "95 % of the mean", "best action", "cos θ"],
-                "llrrrr",
-                _final_rows(results),
-            ),
+            f"# What was learned from {counted(last, 'pair')}",
             "",
             *(f"* **{teacher_called(teacher)}**: {said}" for teacher, said in lessons if said),
             "",
-            *regret_tables(results),
+            *table(["teacher", "learner", "regret, %", "middle half, %"], "llrr", rows),
+            "",
+            f"Regret is what the teacher loses by the learner's picks in held-out scenes, in % of "
+            f"what picking at random would cost: the mean over {counted(results.seeds, 'seed')}, "
+            "and that of their middle half, which no single seed can carry. In brackets stand 95 % "
+            "intervals.",
+            "",
+            "Drag the time below, or play, to see minds sharpen with the number of pairs. Point "
+            "at a mark to see what it is; click on it for all its numbers.",
         ]
     )
 
 
 def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
-    """What was learned from one teacher so far."""
-    learners = [le for le in results.learners if results.fits_of(teacher, le, pairs)]
+    """What was learned from one teacher so far: a table a learner, beside the truth."""
+    lines = [f"# {teacher_name(teacher.name)} after {counted(pairs, 'pair')}", ""]
+    for learner in results.learners:
+        if not results.fits_of(teacher, learner, pairs):
+            continue
 
-    def cells(column: _Column, learners: list[str] = learners) -> list[str]:
-        return [_cell(results, teacher, learner, column, pairs) for learner in learners]
+        def spread(column: str, learner: str = learner) -> Spread | None:
+            return results.spread(column, teacher, learner, pairs)
 
-    parameters = zip(
-        CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True
-    )
-    rows = [
-        ["regret, %", "0", *cells(_REGRET)],
-        ["best action found, %", "100", *cells(_AGREEMENT)],
-        ["cosine of θ", "1", *cells(_COSINE)],
-        ["log-loss, nats a pair", "".join(cells(_LEAST_LOSS, learners[:1])), *cells(_LOSS)],
-        *(
-            [symbol, number(truth), *cells(_Column(column, ".2f"))]
-            for symbol, column, truth in parameters
-        ),
-    ]
-    heads = [f"mean ± std, {counted(results.seeds, 'seed')}", "truth"]
+        least = _Column("", "nll_teacher", ".3f").told(spread("nll_teacher"))
+        rows = [[each.words, best, each.told(spread(each.name))] for each, best in _QUALITIES]
+        loss = _Column("log-loss, nats a pair", "nll", ".3f")
+        rows.append([loss.words, least.split(" ")[0], loss.told(spread("nll"))])
+        theta, form = spread("theta_unit"), _Column("", "", ".2f")
+        for place, truth in enumerate(unit_vector(teacher.reward)):
+            told = form.told(theta and theta.of(place))
+            rows.append([f"θ of {FEATURES[place]}", number(truth, ".2f"), told])
+        for symbol, column, truth in zip(
+            CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True
+        ):
+            if found := spread(column):
+                rows.append([symbol, number(truth), form.told(found)])
+        lines += [f"## {learner_called(learner)}", ""]
+        lines += [*table(["", "truth", "mean [95 %]"], "lrr", rows), ""]
     return "\n".join(
         [
-            f"# {teacher_name(teacher.name)} after {counted(pairs, 'pair')}",
-            "",
-            *table([*heads, *map(learner_name, learners)], "lr" + "r" * len(learners), rows),
-            "",
-            "Regret is in % of a random action's. Curves: means over seeds, over the pairs learned "
-            "from; bands: 95 % intervals of the means. Thin lines: single seeds; dashed or dark: "
-            "the teacher. Parameters: thick bars are 95 % intervals, thin ones ± std.",
+            *lines,
+            "θ is scaled to length 1. Loss aversion, curvature and the length of θ trade off "
+            "against one another: single parameters stay wide where choices are predicted well.",
         ]
     )
 
 
-def regret_tables(results: StudyResults) -> list[str]:
-    """Mean ± standard deviation of every regret, a table a teacher."""
-    learners = results.learners
-    lines = []
-    for teacher in results.teachers:
-        rows = [
-            [str(pairs), *(_cell(results, teacher, le, _REGRET, pairs) for le in learners)]
-            for pairs in results.sizes
+def scenes_page(results: StudyResults, links: Links, teacher: Teacher, pairs: int) -> str:
+    """The scenes in which learners from a teacher differ most, with links to their recordings."""
+    heads = ["scene", "teacher", *map(learner_called, results.learners)]
+    rows = []
+    for scene in results.telling[teacher.name]:
+        told, link = results.scenes[scene], links.get(scene)
+        name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
+        picks = [_pick(results, teacher, learner, scene, pairs) for learner in results.learners]
+        rows.append([name, action_label(told.best[teacher.name]), *picks])
+    tells = table(heads, "l" * len(heads), rows) if rows else ["No learner has regret anywhere."]
+    commands = [line for link in links.values() for line in link.commands]
+    how = [
+        "These scenes have no recordings: the outcome bank does not say how to make them again, or "
+        "was made by other versions."
+    ]
+    if links:
+        how = [
+            "The name of a scene opens its recording, from this recording's folder, where `studio "
+            "view` opens the viewer; the arrow at the top leads back. If a link is dead, make "
+            f"the scene again in that folder{':' if commands else ' by `studio learn`.'}",
+            "",
+            *(["```sh", *commands, "```"] if commands else []),
         ]
-        heads = ["pairs", *map(learner_called, learners)]
-        title = f"## Regret, {teacher_called(teacher)}"
-        lines += [title, "", *table(heads, "r" * len(heads), rows), ""]
-    return [*lines, f"In %: mean ± standard deviation over {counted(results.seeds, 'seed')}."]
+    return "\n".join(
+        [
+            f"# Telling scenes after {counted(pairs, 'pair')}",
+            "",
+            f"Where the learners' regrets differ most, or else are largest, after "
+            f"{counted(results.sizes[-1], 'pair')}: picks and regrets, in % of what a random "
+            "action costs in scenes of that family.",
+            "",
+            *tells,
+            "",
+            "A pick is that of most seeds that held the scene out, as many as the brackets say, "
+            "the regret their mean; the tab *Tables* has every scene.",
+            "",
+            *how,
+        ]
+    )
+
+
+def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
+    """What a learner picks in a scene, the regret, and how many seeds say so."""
+    regrets = results.scene_regrets(teacher, learner, pairs)
+    if regrets is None or scene not in regrets.scenes:
+        return "–"
+    at = int(np.flatnonzero(regrets.scenes == scene)[0])
+    family = results.scenes[scene].family
+    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    told = f"{percent:.{0 if percent >= 10.0 else 1}f} %"
+    if percent < LEAST_PERCENT:
+        told = f"< {number(LEAST_PERCENT)} %" if percent > 0.0 else "0 %"
+    return f"{action_label(regrets.picks[at])}, {told} ({regrets.runs[at]})"
 
 
 def about_study_page(
@@ -130,11 +198,18 @@ def about_study_page(
             "",
             "## What one sees",
             "",
-            *_what_one_sees(results),
+            "* **Plots over pairs**: a bold line is the mean over seeds, its band the 95 % "
+            "bootstrap interval of that mean, the thin line the interquartile mean, dots are "
+            "seeds, and black is the teacher. Regrets are shown as decimal logarithms: 1 is 10 %, "
+            "0 is 1 %, −1 is 0.1 %; a regret of 0 stands at half the smallest mean.",
+            "* **Weights and values**: how much a probability counts, and how good a utility "
+            "feels. A line is a seed, the dashed one the teacher.",
+            "* **Calibration**: how probable choices are where the learner predicts so much. Bars "
+            "are full up to the lower end of the 95 % interval over seeds, pale up to its upper "
+            "end; the dark one reaches to what was predicted.",
+            "* **Tables**: the means and their intervals, all fits, and all scenes held out.",
             "",
             "Drag the time, or press space to play and stop; double-click a view to set it back.",
-            "",
-            *regret_tables(results),
             "",
             "## Teachers",
             "",
@@ -173,82 +248,40 @@ def study_command(results: StudyResults, settings: Mapping[str, object]) -> str:
     return shlex.join(words)
 
 
-def _what_one_sees(results: StudyResults) -> list[str]:
-    """The figures of the recording, with links to those of the first teacher."""
-
-    def shown(figure: str, words: str) -> str:
-        return link(words, entities.figure(results.teachers[0].name, figure))
-
-    families = [
-        f"* {shown(entities.FAMILIES, 'Families')}: the same regret by kind of "
-        "scene. A dot is a scene that was held out, those without regret in a box at the left; the "
-        "large dot is the mean of the family over seeds, the line its 95 % interval. All are in % "
-        "of what a random action costs in the family, on average over its scenes. Ringed and "
-        f"numbered are the scenes that {link('the page beside', entities.SCENES)} tells of, with "
-        "links to their own recordings."
-    ]
-    return [
-        f"* {shown(entities.REGRET, 'Regret')}: what the teacher loses by the "
-        "learner's picks, in % of what picking at random would cost. The line is the mean over "
-        "seeds, the band the 95 % bootstrap interval of that mean. What leaves the figure is drawn "
-        "at its edge. The upright line marks the number of pairs that the other figures show.",
-        f"* {shown(entities.AGREEMENT, 'Best action found')}: in how many of the "
-        "scenes the learner picks what the teacher would.",
-        f"* {shown(entities.GAIN_WEIGHTS, 'w(p) of gains')} and "
-        f"{shown(entities.LOSS_WEIGHTS, 'of losses')}: how much a probability "
-        "counts. Faint lines are the seeds, the bold one is their mean, the dashed one the "
-        "teacher. An EU learner counts every probability as it is.",
-        f"* {shown(entities.VALUES, 'v(u)')}: how good a utility feels, over "
-        "u = θ·φ/|θ|: choices tell the length of θ only together with the value function.",
-        f"* {shown(entities.PARAMETERS, 'Parameters')}: the dot is the mean, the "
-        "thick line its 95 % interval, the thin one ± one standard deviation, the dark mark the "
-        "truth. Loss aversion, curvature and the length of θ trade off against one another, so "
-        "that single parameters stay wide where the choices are predicted well.",
-        *(families if results.scenes else []),
-        f"* {shown(entities.CALIBRATION, 'Calibration')}: how probable the teacher's "
-        "choices are where the learner predicts so much; a dot's area is the share of predictions. "
-        f"Below, the {shown(entities.LIKELIHOOD, 'likelihood')} of held-out choices.",
-    ]
-
-
 def _about_teachers(results: StudyResults) -> list[str]:
-    """Who the teachers are, what outcomes are worth to them, and how certain their answers were."""
-    teachers = results.teachers
-    names = [teacher_name(teacher.name) for teacher in teachers]
-    minds = [
+    """Who the teachers are, and how certain their answers were."""
+    rows = [
         [
-            name,
+            teacher_name(teacher.name),
             *map(number, (*teacher.parameters.numbers, teacher.beta, teacher.reference)),
             teacher.weighting,
+            ", ".join(map(number, teacher.reward)),
+            _certainty(results, teacher),
         ]
-        for name, teacher in zip(names, teachers, strict=True)
+        for teacher in results.teachers
     ]
-    units = [unit_vector(teacher.reward) for teacher in teachers]
-    rewards = [
-        [feature, *(f"{number(teacher.reward[place])} ({number(unit[place], '.2f')})"
-                    for teacher, unit in zip(teachers, units, strict=True))]
-        for place, feature in enumerate(FEATURES)
-    ]  # fmt: skip
-    certainties = [
-        [name, *(_certainty(results, teacher, pairs) for pairs in results.sizes)]
-        for name, teacher in zip(names, teachers, strict=True)
-    ]
-    sizes = [f"{pairs} pairs" for pairs in results.sizes]
+    heads = ["teacher", *CptParameters.SYMBOLS, "β", "r", "w", "θ", "certainty"]
     return [
         "An outcome with features φ has utility x = θ·φ − r. A teacher values it at x^α as a "
         "gain and −λ(−x)^η as a loss, counts probabilities of gains by w with γ, of losses "
         "with δ, and prefers A to B with probability σ(β(V(A) − V(B))). `prelec` is "
         "w(p) = exp(−(−ln p)^γ). All ones is expected utility (EU).",
         "",
-        *table(["teacher", *CptParameters.SYMBOLS, "β", "r", "w"], "lrrrrrrrl", minds),
+        *table(heads, "lrrrrrrrllr", rows),
         "",
-        *table(["worth θ (scaled to length 1)", *names], "l" + "r" * len(names), rewards),
-        "",
-        *table(["teacher", *sizes], "l" + "r" * len(sizes), certainties),
-        "",
-        "Certainty of the answers: the mean probability of what was answered, 0.5 to 1. "
-        "Answers that are all certain teach little.",
+        f"θ weighs {', '.join(FEATURES)}. Certainty is the mean probability of what was "
+        "answered, 0.5 to 1: answers that are all certain teach little.",
     ]
+
+
+def _certainty(results: StudyResults, teacher: Teacher) -> str:
+    """Mean certainty of a teacher's answers."""
+    known = [
+        fit["certainty"]
+        for fit in results.fits
+        if fit["teacher"] == teacher.name and fit["certainty"] is not None
+    ]
+    return f"{np.mean(known):.2f}" if known else "–"
 
 
 def _setting_rows(
@@ -257,14 +290,12 @@ def _setting_rows(
     """Everything that the study depends on, a row each."""
     study = results.study
     told: dict[str, object] = {
-        "teachers": ", ".join(teacher.name for teacher in results.teachers),
-        "learners": ", ".join(results.learners),
-        "pairs": ", ".join(map(str, results.sizes)),
-        "seeds": results.seeds,
         "fits": f"{len(results.fits)}, of which {results.unsettled} did not converge",
         "pairs asked more than once": f"at most {results.repeated} of a fit",
         **{
-            f"learner: {learner_name(name)}": _flat(description)
+            f"learner: {learner_name(name)}": ", ".join(
+                f"{key} {given}" for key, given in description.items() if key != "name"
+            )
             for name, description in study.get("learners", {}).items()
             if name in results.learners
         },
@@ -272,51 +303,4 @@ def _setting_rows(
         **settings,
         **{f"version: {name}": version for name, version in versions.items()},
     }
-    return [[name, str(given)] for name, given in told.items()]
-
-
-def _final_rows(results: StudyResults) -> list[list[str]]:
-    """How far every learner got with the most pairs."""
-    pairs, rows = results.sizes[-1], []
-    for teacher in results.teachers:
-        for curve in results.curves_of("regret_percent", teacher):
-            learner, spread = curve.learner, curve.at(pairs)
-            if spread is None:
-                continue
-            interval = f"{spread.low:.2f} to {spread.high:.2f}" if spread.runs > 1 else "–"
-            rows.append(
-                [
-                    link(
-                        teacher_name(teacher.name), entities.figure(teacher.name, entities.REGRET)
-                    ),
-                    learner_name(learner),
-                    _cell(results, teacher, learner, _REGRET, pairs),
-                    interval,
-                    _cell(results, teacher, learner, _AGREEMENT, pairs) + " %",
-                    _cell(results, teacher, learner, _COSINE, pairs),
-                ]
-            )
-    return rows
-
-
-def _certainty(results: StudyResults, teacher: Teacher, pairs: int) -> str:
-    """Mean certainty of a teacher's answers; nothing if nobody learned from so few."""
-    fits = [fit for le in results.learners for fit in results.fits_of(teacher, le, pairs)]
-    return f"{np.mean([fit['certainty'] for fit in fits]):.2f}" if fits else ""
-
-
-def _cell(
-    results: StudyResults, teacher: Teacher, learner: str, column: _Column, pairs: int
-) -> str:
-    """Mean ± standard deviation; the mean alone where there is a single seed."""
-    spread = results.spread(column.name, teacher, learner, pairs)
-    if not spread:
-        return "–"
-    mean = number(column.factor * spread.mean, column.form)
-    return f"{mean} ± {column.factor * spread.std:{column.form}}" if spread.runs > 1 else mean
-
-
-def _flat(description: dict[str, object]) -> str:
-    """A learner's description in one line."""
-    told = [f"{name} {given}" for name, given in description.items() if name != "name"]
-    return ", ".join(told) or "–"
+    return [[name, str(given) or "–"] for name, given in told.items()]
