@@ -15,6 +15,7 @@ from rerun import escape_entity_path_part as entity_part
 
 from learners import FEATURES, PARAMETER_COLUMNS, CptParameters, Curve, Teacher, unit_vector
 from studio.arrays import FloatArray
+from studio.recorder.plots import log_bands
 from studio.study.recording import entities
 from studio.study.regret import RegretRange
 from studio.study.results import StudyResults
@@ -157,11 +158,10 @@ class _Marks:
 
 
 def log_pair_plot(stream: rr.RecordingStream, results: StudyResults, plot: PairPlot) -> None:
-    """Add a plot to a recording, as one entity: every series costs some kilobytes of its own.
+    """Add a plot to a recording: means and, below them, bands for their intervals, seeds, truth.
 
-    It has means with the bands of their intervals, seeds, and the truth; where it is of regret, of
-    which one seed may carry the mean, also interquartile means. Beside the marks stands in words
-    what they are: numbers would be plotted, too.
+    Plots of regret, of which one seed may carry the mean, also have interquartile means. Beside the
+    marks stands in words what they are: numbers would be plotted, too.
     """
     curves, ground = plot.curves, LIGHT.ground
     learners = [curve.learner for curve in curves]
@@ -202,10 +202,6 @@ def log_pair_plot(stream: rr.RecordingStream, results: StudyResults, plot: PairP
         ],
         "colors": [colour for *_, colour, _ in every],
     }
-    low, high = (plot.place(side) for side in means[1:])
-    bands = rr.Measurements.columns(
-        values=((low + high) / 2).ravel(), variances=np.square((high - low) / 2).ravel()
-    )
     stream.log(
         plot.path,
         rr.SeriesLines(**look, widths=[each.width for *_, each in every]),
@@ -213,11 +209,6 @@ def log_pair_plot(stream: rr.RecordingStream, results: StudyResults, plot: PairP
             **look,
             markers=[_MARKERS[learner_pen(learner).marker] for learner, *_ in every],
             marker_sizes=[each.size for *_, each in every],
-        ),
-        rr.Measurements.from_fields(
-            colors=colours,
-            names=[f"{learner_called(learner)}: 95 % interval" for learner in learners],
-            widths=[0.0] * len(learners),
         ),
         rr.AnyValues(
             teacher=curves[0].teacher,
@@ -229,15 +220,19 @@ def log_pair_plot(stream: rr.RecordingStream, results: StudyResults, plot: PairP
     places = plot.place(np.concatenate([each.sides[0] for each in marks], axis=1))
     told = np.concatenate([each.told for each in marks], axis=1)
     lengths = [len(every)] * len(places)
+    times = [rr.TimeColumn(entities.TIMELINE, sequence=results.sizes)]
     stream.send_columns(
         plot.path,
-        [rr.TimeColumn(entities.TIMELINE, sequence=results.sizes)],
+        times,
         [
             *rr.Scalars.columns(scalars=places.ravel()).partition(lengths),
-            *bands.partition([len(curves)] * len(places)),
             *rr.AnyValues.columns(value=told.ravel().tolist()).partition(lengths),
         ],
     )
+    low, high = (plot.place(side) for side in means[1:])
+    names = [f"{learner_called(learner)}: 95 % interval of the mean" for learner in learners]
+    path, middle, reach = f"{plot.path}/interval", (low + high) / 2, (high - low) / 2
+    log_bands(stream, path, times, middle, reach, names, colours, width=0.0)
 
 
 def _told(numbers: FloatArray) -> str:

@@ -16,8 +16,8 @@ from studio.study.results import StudyResults
 
 _NAMED = ("teacher", "learner", "pairs")  # columns that entity path and time tell
 _WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")  # whole numbers
-_ESTIMATES = ("regret_percent", "agreement", "theta_cosine", "nll")  # columns of the learners
-_OF_FITS = (*_NAMED, "seed", *_ESTIMATES, *PARAMETER_COLUMNS)  # columns of the table of fits
+_QUALITIES = ("regret_percent", "agreement", "theta_cosine", "nll")
+_OF_FITS = (*_NAMED, "seed", *_QUALITIES, *PARAMETER_COLUMNS)  # columns of the table of fits
 _DECIMALS = 4  # of the numbers in tables; those of the fits are exact
 
 
@@ -71,21 +71,16 @@ def _columns(rows: list[Row]) -> dict[str, NDArray[Any]]:
 
 
 def _learner_rows(results: StudyResults) -> Iterator[Row]:
-    """A row a teacher, learner and number of pairs."""
+    """A row a teacher, learner and number of pairs: means, and the ends of their intervals."""
     for curve in results.curves("regret_percent"):
         for place, pairs in enumerate(curve.pairs.tolist()):
             row: Row = {"teacher": curve.teacher, "learner": curve.learner, "pairs": pairs}
-            row["seeds"] = int(curve.runs[place])
-            for side in ("middle", "middle_low", "middle_high"):
-                row[f"regret_percent_{side}"] = float(getattr(curve, side)[place])
-            for column in _ESTIMATES:
-                (own,) = (
-                    each
-                    for each in results.curves(column)
-                    if (each.teacher, each.learner) == (curve.teacher, curve.learner)
-                )
-                for end, side in (("", "mean"), ("_low", "low"), ("_high", "high")):
-                    row[f"{column}{end}"] = float(getattr(own.at(pairs), side))
+            for name, side in (("", "mean"), ("_low", "low"), ("_high", "high")):
+                row[f"regret_percent{name}"] = float(getattr(curve, side)[place])
+                row[f"middle{name}"] = float(getattr(curve, f"middle{name}")[place])
+                for other in results.curves("agreement"):
+                    if (other.teacher, other.learner) == (curve.teacher, curve.learner):
+                        row[f"agreement{name}"] = float(getattr(other.at(pairs), side))
             yield row
 
 
