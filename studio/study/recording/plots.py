@@ -6,6 +6,7 @@ Where a plot is of regrets, it shows their decimal logarithms, since Rerun has n
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -110,7 +111,7 @@ def _plots_of(results: StudyResults, teacher: Teacher) -> Iterator[tuple[str, Pa
     truths = [*unit_vector(teacher.reward), *teacher.parameters.numbers]
     titles = [*(f"θ of {feature}" for feature in FEATURES), *CptParameters.SYMBOLS]
     numbers = [
-        [curve.mapped(lambda theta, at=index: theta[..., at]) for curve in curves("theta_unit")]
+        [curve.mapped(itemgetter((..., index))) for curve in curves("theta_unit")]
         for index in range(len(FEATURES))
     ] + [curves(column) for column in PARAMETER_COLUMNS]
     for name, title, found, number in zip(

@@ -66,7 +66,7 @@ def _columns(rows: list[Row]) -> dict[str, NDArray[Any]]:
         if pa.types.is_floating(column.type):
             columns[name] = np.round(column.to_numpy(), _DECIMALS)
         elif not pa.types.is_null(column.type):
-            columns[name] = column.to_numpy()
+            columns[name] = np.array(column.to_pylist())
     return columns
 
 
