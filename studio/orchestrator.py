@@ -220,7 +220,7 @@ class Studio:
         study = Study(read_bank(bank), who, fitted, tuple(pairs), seeds)
         unfinished = self.out / f".{name}.unfinished.parquet"
         files = tuple(
-            self.out / f"{name}{suffix}" for suffix in (".parquet", ".png", "-2.png", ".rrd")
+            self.out / f"{name}{suffix}" for suffix in (".parquet", ".png", ".rrd", "-2.png")
         )
         if not force:
             check_loses_no_fits(study, files, unfinished)

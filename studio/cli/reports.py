@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from scenes import FAMILIES, PATTERNS
 from studio.comparison.comparison import SIDES
-from studio.style.words import action_label, contacts_told, estimate_told
+from studio.style.words import action_label, contacts_told, counted, estimate_told, teacher_name
 
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
@@ -84,15 +84,30 @@ def compared_report(compared: Compared) -> list[str]:
 
 
 def learned_report(learned: Learned) -> list[str]:
-    """The learning curves as a table, and what is to be known of the fits."""
+    """The learning curves as a table, what follows from them, and what is to be known of the fits.
+
+    Each curve has a row of means over seeds and one of interquartile means, since a single seed may
+    carry a mean.
+    """
+    from studio.study.words import lesson
+
     results = learned.results
     lines = [
-        "regret on held-out scenes, in % of a random action's, mean over seeds",
-        f"{'teacher':<12}{'learner':<16}" + "".join(f"{size:>8}" for size in results.sizes),
+        "regret on held-out scenes, in % of a random action's: mean over seeds, and mean of the",
+        "middle half of the seeds",
+        f"{'teacher':<12}{'learner':<16}{'':<8}" + "".join(f"{size:>8}" for size in results.sizes),
     ]
     for curve in results.curves("regret_percent"):
-        means = "".join(f"{mean:>8.2f}" for mean in curve.mean)
-        lines.append(f"{curve.teacher:<12}{curve.learner:<16}{means}")
+        for names, what, means in (
+            (f"{curve.teacher:<12}{curve.learner:<16}", "mean", curve.mean),
+            (" " * 28, "middle", curve.middle),
+        ):
+            lines.append(f"{names}{what:<8}" + "".join(f"{mean:>8.2f}" for mean in means))
+    lessons = [(teacher, lesson(results, teacher)) for teacher in results.taught]
+    told = [f"{teacher_name(teacher.name)}: {said}" for teacher, said in lessons if said]
+    lines += (
+        [f"at {counted(results.sizes[-1], 'pair')}, with 95 % intervals", *told] if told else []
+    )
     if results.repeated:
         again = f"up to {results.repeated} were asked again"
         lines.append(f"there are fewer pairs than wanted: {again}")

@@ -28,7 +28,7 @@ def page_of(recording: Recording, lines: Sequence[str]) -> str:
 
     shown = recording.still(Look(SHOWN_SIZE), Excerpt()).pixels
     told = "".join(f"<div>{escape(line)}</div>" for line in lines)
-    return image_of(shown, ", ".join(lines)) + told
+    return image_of(shown, ", ".join(lines) or type(recording).__name__) + told
 
 
 def image_of(pixels: PixelArray, alternative: str) -> str:
@@ -39,12 +39,12 @@ def image_of(pixels: PixelArray, alternative: str) -> str:
     return f'<img src="{source}" alt="{escape(alternative)}" style="max-width: 100%">'
 
 
-def show_inline(path: Path, width: int, height: int) -> None:
+def show_inline(path: Path, width: int | None, height: int) -> None:
     """Show a recording in Rerun's viewer below the cell that calls this.
 
     Args:
         path: of the recording.
-        width: of the viewer, px.
+        width: of the viewer, px; None is as wide as the cell.
         height: of the viewer, px.
 
     Raises:
@@ -56,15 +56,16 @@ def show_inline(path: Path, width: int, height: int) -> None:
     from IPython.display import display
     from rerun_notebook import Viewer
 
-    viewer = Viewer(width=width, height=height)
+    viewer = Viewer(width="auto" if width is None else width, height=height)
     viewer.send_rrd(path.read_bytes())
     display(viewer)
 
 
 def register_pictures() -> None:
-    """Let scenes and rollouts, which know nothing of the studio, be pictures in a notebook.
+    """Let scenes, rollouts and opened recordings be pictures in a notebook.
 
-    Nothing happens outside of IPython.
+    Scenes and rollouts know nothing of the studio, and recordings nothing of notebooks. Nothing
+    happens outside of IPython.
     """
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     if shell is None:
@@ -72,6 +73,7 @@ def register_pictures() -> None:
     html: Any = shell.display_formatter.formatters["text/html"]
     html.for_type_by_name("scenes.scene", "Scene", _scene_page)
     html.for_type_by_name("scenes.rollouts", "Rollouts", _rollouts_page)
+    html.for_type_by_name("studio.recording", "Recording", lambda recording: page_of(recording, []))
 
 
 def _scene_page(scene: Scene) -> str:

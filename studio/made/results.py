@@ -40,10 +40,11 @@ class Made(ABC):
     def told(self) -> Sequence[str]:
         """What was made, in one line or a few."""
 
-    def show(self, width: int = 960, height: int = 640) -> None:
+    def show(self, width: int | None = None, height: int = 640) -> None:
         """Show the recording in Rerun's viewer, in a notebook below the cell that calls this.
 
-        Width and height are in px. It takes the package's extra `notebook`.
+        Width and height are in px; without a width, it is as wide as the cell. It takes the
+        package's extra `notebook`.
 
         Raises:
             InputError: if the viewer for notebooks is not installed.

@@ -1,6 +1,7 @@
-"""Marks in plots: dots, shapes, crosses, histograms, bands and dashed curves."""
+"""Marks in plots: dots, crosses, icons, histograms, bands and dashed curves."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -21,29 +22,6 @@ def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float) -> No
     """Draw a disc that a rim keeps apart from what is below; its radius grows with the page."""
     canvas.disc((x, y), (radius + 1.3) * canvas.unit, canvas.theme.ground)
     canvas.disc((x, y), radius * canvas.unit, colour)
-
-
-SHAPES = ("disc", "diamond", "triangle", "square")
-"""Shapes of marks that stand for one thing each, to tell them by without their colours."""
-
-
-def draw_shape(
-    canvas: Canvas, shape: str, at: Point, radius: float, colour: Colour, rim: Colour
-) -> None:
-    """Draw one of `SHAPES` with a rim (px, in these colours) around it; all are as large."""
-    x, y = at
-    pen = max(1.0, 0.25 * radius)
-    if shape == "disc":
-        canvas.disc(at, radius + pen, rim)
-        canvas.disc(at, radius, colour)
-        return
-    corners = {"diamond": (4, 0.0, 1.25), "triangle": (3, -90.0, 1.4), "square": (4, 45.0, 1.25)}
-    count, turn, size = corners[shape]
-    angles = np.radians(turn + 360.0 / count * np.arange(count))
-    around = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    lower = 0.2 * radius if shape == "triangle" else 0.0  # its middle lies below that of its box
-    for reach, shade in ((radius + 1.2 * pen, rim), (radius, colour)):
-        canvas.polygon(np.array([x, y + lower]) + size * reach * around, shade)
 
 
 def cross(
@@ -183,11 +161,24 @@ def band(
     cv2.addWeighted(filled.pixels, _BAND, part.pixels, 1.0 - _BAND, 0.0, dst=part.pixels)
 
 
-def dashed_path(canvas: Canvas, points: FloatArray, colour: Colour, width: float) -> None:
-    """Draw a curve [N, 2] in dashes as long as the gaps between them."""
-    dash = 6 * canvas.unit
+def dashed_path(
+    canvas: Canvas,
+    points: FloatArray,
+    colour: Colour,
+    width: float,
+    dashes: Sequence[float] | None = None,
+) -> None:
+    """Draw a curve [N, 2] in dashes: lengths of dashes and gaps in turn, px, over and over.
+
+    Left out, dashes are as long as the gaps between them.
+    """
+    lengths = [6 * canvas.unit] * 2 if dashes is None else list(dashes)
     along = np.append(0.0, np.hypot(*np.diff(points, axis=0).T).cumsum())
-    for start in np.arange(0.0, along[-1], 2 * dash):
-        steps = np.linspace(start, min(start + dash, along[-1]), 7)
-        piece = [np.interp(steps, along, points[:, axis]) for axis in (0, 1)]
-        canvas.line(np.stack(piece, axis=-1), colour, width)
+    start, place = 0.0, 0
+    while start < along[-1]:
+        end = start + max(lengths[place % len(lengths)], 0.5)
+        if place % 2 == 0:
+            steps = np.linspace(start, min(end, along[-1]), 7)
+            piece = [np.interp(steps, along, points[:, axis]) for axis in (0, 1)]
+            canvas.line(np.stack(piece, axis=-1), colour, width)
+        start, place = end, place + 1

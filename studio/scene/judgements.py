@@ -16,7 +16,7 @@ from learners import (
 from scenes import Rollouts
 from studio.arrays import FloatArray, IntArray
 from studio.scene.certainty import COVERAGE, Estimate, interval, resampled_counts
-from studio.style.palette import Colour, teacher_colour
+from studio.style.palette import Colour, Pen, teacher_colour, teacher_pen
 from studio.style.words import teacher_name
 
 
@@ -58,6 +58,11 @@ class Judgement:
     resampled: FloatArray
     reference: Reference | None = None
 
+    def __repr__(self) -> str:
+        # arrays would fill pages
+        values = ", ".join(f"{value:.3f}" for value in self.values)
+        return f"<Judgement of {self.label}: V = {values}>"
+
     @property
     def label(self) -> str:
         """What people call the teacher."""
@@ -67,6 +72,11 @@ class Judgement:
     def colour(self) -> Colour:
         """The colour that stands for the teacher."""
         return teacher_colour(self.teacher)
+
+    @property
+    def pen(self) -> Pen:
+        """How the teacher's curves and marks are drawn."""
+        return teacher_pen(self.teacher)
 
     @property
     def best(self) -> int:

@@ -13,13 +13,15 @@ class RegretRange:
     """Which regrets some curves reach, in %.
 
     Axes of regret are logarithmic and have no place for 0. An axis therefore begins below the
-    least mean that is above 0, and what is 0 or less lies beyond its lower end; how far, and with
-    what margins, each medium decides.
+    least regret that is above 0, of a mean or a seed, and what is 0 or less lies beyond its lower
+    end; how far, and with what margins, each medium decides. A single lucky seed does not stretch
+    an axis: seeds below a quarter of the least mean lie below the axis.
     """
 
-    least: float  # the smallest above 0 of all means and seeds; infinite if there is none
+    least: float  # the smallest above 0 that axes show; infinite if there is none
     most: float  # the largest mean, seed or upper end of an interval; 0 without curves
     has_zero: bool  # whether a mean, or the regret of a seed, is 0
+    has_less: bool  # whether the regret of a seed is above 0 but below the smallest regret above
 
     @classmethod
     def around(cls, curves: Sequence[Curve]) -> "RegretRange":
@@ -27,11 +29,11 @@ class RegretRange:
         means = np.concatenate([np.zeros(0), *(curve.mean for curve in curves)])
         highs = np.concatenate([means, *(curve.high for curve in curves)])
         seeds = np.concatenate([means, *(samples for curve in curves for samples in curve.samples)])
-        # a single lucky seed does not stretch the axis by more than a factor of four
         lowest = float(means[means > 0.0].min(initial=np.inf)) / 4.0
         least = max(float(seeds[seeds > 0.0].min(initial=np.inf)), lowest)
         most = max(float(highs.max(initial=0.0)), float(seeds.max(initial=0.0)))
-        return cls(least, most, bool((seeds <= 0.0).any()))
+        has_less = bool(((seeds > 0.0) & (seeds < least)).any())
+        return cls(least, most, bool((seeds <= 0.0).any()), has_less)
 
     @property
     def start(self) -> float:

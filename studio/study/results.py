@@ -59,6 +59,11 @@ class StudyResults:
     table: pa.Table  # one row a fit, see `learners.STUDY_SCHEMA`
     teachers: tuple[Teacher, ...]  # who was learned from; there may be teachers without fits
 
+    def __repr__(self) -> str:
+        # the table would fill pages
+        who = ", ".join(teacher.name for teacher in self.teachers)
+        return f"<StudyResults of {who}: {self.table.num_rows} fits of {', '.join(self.learners)}>"
+
     def among(self, teachers: tuple[Teacher, ...]) -> "StudyResults":
         """The results of these teachers alone."""
         if teachers == self.teachers:

@@ -73,23 +73,22 @@ def findings_told(results: StudyResults) -> list[str]:
             continue
         is_open = found.runs < 2 or found.low <= 0.0 <= found.high
         group = undecided if is_open else better if found.difference < 0.0 else worse
-        group.append(short_teacher_name(teacher))
-    told = [
-        f"{who} has less regret than {other} for {listed(names)}"
-        for who, other, names in ((ours, theirs, better), (theirs, ours, worse))
-        if names
-    ]
-    still_open = f"for {listed(undecided)} it is open" if undecided else ""
-    if not told:
-        told = [f"whether {ours} has less regret than {theirs} is open"]
-        still_open = ""
-    whole = ", ".join([*told, *filter(None, [still_open])])
-    short = ", ".join(told)
+        group.append(teacher_name(teacher.name))
+    groups = [(ours, theirs, better), (theirs, ours, worse)]
+    if not better and not worse:
+        whole = short = counts = f"whether {ours} has less regret than {theirs} is open"
+    else:
+        sure = [(f"{who} has less regret than {other} for ", of) for who, other, of in groups if of]
+        short = ", ".join(claim + listed(names) for claim, names in sure)
+        whole = short + (f", for {listed(undecided)} it is open" if undecided else "")
+        everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
+        counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
     return [
         f"After {counted(pairs, 'pair')}, {whole}",
         _capital(whole),
         f"After {counted(pairs, 'pair')}, {short}",
         _capital(short),
+        _capital(counts),
         *study_titles(results),
     ]
 
@@ -108,6 +107,8 @@ def finding_notes(results: StudyResults) -> list[str]:
             f"Line: mean over {results.seeds} seeds, band: its 95 % bootstrap interval; "
             "dots: seeds; bars: interquartile mean with its 95 % interval"
         )
+        if results.regrets.has_less:
+            said.append("Small triangles: seeds whose regret is less than the axis shows")
         if results.paired:
             said.append("In the heads: paired difference at the most pairs with its 95 % interval")
     return [f"{note}." for note in said]
@@ -146,19 +147,16 @@ def reached(stage: Stage) -> str:
 
 
 def notes(stage: Stage) -> list[str]:
-    """What the lines and marks of the picture mean, in sentences."""
+    """What the lines and marks of the second page mean, in sentences, but for errors."""
     if not stage.fits:
         return []
     results, most = stage.results, reached(stage)
     seeds = len({row["seed"] for row in stage.fits})
     said = []
     if seeds > 1:
-        said.append(
-            f"Regret (logarithmic axes) and picks: mean over {seeds} seeds, "
-            "band: its 95 % bootstrap interval"
-        )
+        said.append(f"Picks: mean over {seeds} seeds, band: its 95 % bootstrap interval")
         if len(results.learners) > 1:
-            said.append(f"[ ]: 95 % interval of the paired difference at {most}")
+            said.append(f"[ ]: 95 % interval of the paired difference of regrets at {most}")
     if results.shaped:
         shades = ", ".join(map(str, stage.sharpening))
         said.append(
@@ -174,9 +172,14 @@ def notes(stage: Stage) -> list[str]:
     each = "a dot a seed, large: mean, " if seeds > 1 else ""
     numbers = "Reward and parameters" if results.shaped else "Reward"
     said.append(f"{numbers} at {most}: {each}bar: teacher")
-    if len(stage.sizes) > 1:
-        said.append(f"Errors: bold {most}, thin {stage.sizes[0]}")
     return [f"{note}." for note in said]
+
+
+def error_notes(stage: Stage) -> list[str]:
+    """What the lines of prediction errors mean, in sentences; none if there is but one kind."""
+    if len(stage.sizes) < 2:
+        return []
+    return [f"Errors: bold {reached(stage)}, thin {stage.sizes[0]}."]
 
 
 def verdicts(stage: Stage, teacher: Teacher) -> list[str]:

@@ -14,12 +14,12 @@ from studio.study.run import write_table
 def write_study(
     files: Sequence[Path], papers: Sequence[Path], results: StudyResults, bank: str, links: Links
 ) -> str:
-    """Write a study's table, two pictures, recording, in this order, and its figures for papers.
+    """Write a study's table, its finding, recording, second picture, and its figures for papers.
 
-    The bank is given by its name, and the links lead to recordings of its scenes. What comes back
-    is the caption of the figures; it is empty if there are none.
+    The files are in this order. The bank is given by its name, and the links lead to recordings of
+    its scenes. What comes back is the caption of the figures; it is empty if there are none.
     """
-    parquet, first, second, rrd = files
+    parquet, first, rrd, second = files
     write_table(parquet, results.table)
     compose_finding(results).save(first)
     compose_study_picture(results).save(second)

@@ -71,6 +71,10 @@ def test_without_pandas_one_line_says_what_to_install(
     assert opened.to_arrow().num_rows > 0
 
 
+def test_an_opened_recording_prints_in_a_few_lines(recording: Path) -> None:
+    assert len(repr(open_recording(recording))) < 1000
+
+
 def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"none.rrd: cannot be read"):
         open_recording(tmp_path / "none.rrd")

@@ -11,9 +11,8 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.marks import draw_shape
+from studio.painter.pens import pen_line, pen_mark
 from studio.scene.judgements import Judgement
-from studio.scene.picture.teachers import teacher_shape
 from studio.style.ticks import ticks
 from studio.style.words import number
 
@@ -23,14 +22,19 @@ _MARKED = (0.15, 0.5, 0.85)  # where along a curve its marks lie, as shares of i
 def draw_weighting(canvas: Canvas, box: Box, judgements: Sequence[Judgement]) -> None:
     """Draw how much a probability counts for each teacher: of losses bold, of gains thin."""
     unit, small = canvas.unit, canvas.type.small
-    titles = ["Weight w(p) of a probability p", "Weight w(p) of p", "w(p)"]
+    titles = [
+        "Weight w(p) of a probability p · thin: gains",
+        "Weight w(p) · thin: gains",
+        "w(p) · thin: gains",
+        "w(p)",
+    ]
     across, up, panel = _frame(canvas, box, titles, (0.0, 1.0), (0.0, 1.0), "p")
     p = np.linspace(0.0, 1.0, 201)
     for judgement in judgements:
         own = judgement.parameters
         for curvature, width in ((own.gamma, 1.5), (own.delta, 3)):
             curve = np.stack([across.along(p), up.along(weight(p, curvature))], axis=-1)
-            canvas.line(curve, judgement.colour, width * unit)
+            pen_line(canvas, curve, judgement.pen, width * unit)
     for judgement in judgements:
         curve = weight(p, judgement.parameters.delta)
         _mark(canvas, judgement, np.stack([across.along(p), up.along(curve)], axis=-1))
@@ -55,7 +59,7 @@ def draw_value_curves(
     small, unit = canvas.type.small, canvas.unit
     names = [judgement.label for judgement in judgements]
     room = min(
-        max((canvas.measure(name, small, SEMIBOLD) for name in names), default=0.0), 60 * unit
+        max((canvas.measure(name, small, SEMIBOLD) for name in names), default=0.0), 72 * unit
     )
     plot = Box(box.left, box.top, box.right - room - 6 * unit, box.bottom)
     titles = ["Value v(x) of a utility x", "Value v(x)", "v(x)"]
@@ -68,7 +72,7 @@ def draw_value_curves(
     ends = []
     for judgement, curve in zip(judgements, curves, strict=True):
         line = np.stack([across.along(x), up.along(curve)], axis=-1)
-        canvas.line(line, judgement.colour, 3 * unit)
+        pen_line(canvas, line, judgement.pen, 3 * unit)
         _mark(canvas, judgement, line)
         ends.append((float(line[-1, 1]), [judgement.label], judgement.colour))
     column = Box(panel.right, panel.top, box.right, panel.bottom)
@@ -79,8 +83,7 @@ def _mark(canvas: Canvas, judgement: Judgement, line: FloatArray) -> None:
     """Put the teacher's mark on a curve [N, 2], px, in some places."""
     for share in _MARKED:
         x, y = line[round(share * (len(line) - 1))].tolist()
-        radius, rim = 4.2 * canvas.unit, canvas.theme.panel
-        draw_shape(canvas, teacher_shape(judgement.teacher), (x, y), radius, judgement.colour, rim)
+        pen_mark(canvas, (x, y), judgement.pen, 4.2 * canvas.unit, canvas.theme.panel)
 
 
 def _frame(

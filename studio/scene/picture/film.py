@@ -249,7 +249,7 @@ def _draw_clock(
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
     if count < page.sample_of:
-        told = f"a sample, {count} of {page.sample_of:,} rollouts, one of them in full"
+        told = f"a sample, {count} of {page.sample_of} rollouts, one of them in full"
     people = (rollouts.person_step >= 0).any()
     touched = ["× a person"] * bool(people) + ["□ a wall"] * bool(rollouts.wall_touched.any())
     marks = f"touched: {', '.join(touched)}" if touched else ""

@@ -78,7 +78,7 @@ def _notes(rollouts: Rollouts, most: Sequence[int]) -> list[str]:
     striped = "striped: a wall" if walls else ""
     never = "" if walls or not rollouts.scene.walls else "no wall was touched"
     brackets, dot = "brackets: 95 % intervals", "dot: mean"
-    scale = f"as high as a row: {listed([f'{each:,}' for each in most])} rollouts"
+    scale = f"as high as a row: {listed([str(each) for each in most])} rollouts"
     return joined(
         (f"Histograms: {scale}", dot, red, striped, brackets, never),
         (f"Histograms: {scale}", dot, red, striped, never),
@@ -105,17 +105,17 @@ class _ContactWords:
     ) -> "_ContactWords":
         """Words that fit columns of a width, px."""
         small, size = canvas.type.small, rows.type_size(canvas)
-        numbers = [[f"{number:,}" for number in own.tolist()] for own in touched]
+        numbers = [[str(number) for number in own.tolist()] for own in touched]
         shares = [[_share_told(number, count) for number in own.tolist()] for own in touched]
         widest = max(canvas.measure(text, small) for own in shares for text in own)
         widest += max(canvas.measure(text, size, SEMIBOLD) for own in numbers for text in own)
         if widest + 6 * canvas.unit <= width:
-            return cls(f"of {count:,}", numbers, shares)
+            return cls(f"of {count}", numbers, shares)
         nothing = [[""] * len(own) for own in numbers]
         shares = [[text.replace(" %", "") for text in own] for own in shares]
         if any(canvas.measure(text, small) > width for own in shares for text in own):
             shares = [[text.split(" ", 1)[1] for text in own] for own in shares]
-        return cls(f"% of {count:,}", nothing, shares)
+        return cls(f"% of {count}", nothing, shares)
 
 
 def _share_told(touched: int, count: int) -> str:

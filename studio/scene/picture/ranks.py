@@ -9,9 +9,9 @@ from studio.arrays import FloatArray
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.painter.marks import dot, draw_shape
+from studio.painter.marks import dot
+from studio.painter.pens import pen_mark
 from studio.scene.judgements import Judgement
-from studio.scene.picture.teachers import teacher_shape
 from studio.style.words import action_label, rounded_number
 
 _TALLEST_ROW = 60.0  # in units of the page
@@ -72,8 +72,7 @@ def _draw_column(
     """Draw a teacher's dots at a column (px) with the values beside them, below the name."""
     kind, unit, theme = canvas.type, canvas.unit, canvas.theme
     at = (x + 2 * unit, top + 0.6 * kind.heading)
-    shape = teacher_shape(judgement.teacher)
-    draw_shape(canvas, shape, at, 6 * unit, judgement.colour, theme.ground)
+    pen_mark(canvas, at, judgement.pen, 5.5 * unit, theme.ground)
     ink, left = theme.legible(judgement.colour), (x + 16 * unit, at[1])
     canvas.fit(left, judgement.label, 8 * kind.heading, kind.heading, ink, SEMIBOLD)
     rows = zip(names, heights.tolist(), judgement.values.tolist(), strict=True)

@@ -153,8 +153,9 @@ def draw_people_beyond(canvas: Canvas, view: View, scene: Scene) -> list[Label]:
         y = min(max(y, frame.top), frame.bottom) - away * up
         tip, back = np.array([x, y]), np.array([-right, up])
         across = np.array([up, right])
-        corners = [tip, *(tip + 10 * unit * back + side * 7 * unit * across for side in (-1, 1))]
-        canvas.polygon(corners, canvas.theme.pedestrian)
+        for size, colour in ((13, canvas.theme.panel), (10, canvas.theme.faint)):
+            wings = (tip + size * unit * (back + 0.7 * side * across) for side in (-1, 1))
+            canvas.polygon([tip, *wings], colour)
         middle, ink = tip + 5 * unit * back, canvas.theme.ink
         people = "person" if beyond.count == 1 else "people"
         text, direction = f"{beyond.count} more {people}", (-right, up)

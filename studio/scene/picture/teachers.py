@@ -6,17 +6,10 @@ from learners import CptParameters
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
-from studio.painter.marks import SHAPES, draw_shape
+from studio.painter.pens import pen_mark
 from studio.scene.judgements import Judgement
 from studio.scene.words import pick_told
 from studio.style.words import action_label, alternatives
-
-_SHAPES = dict(zip(("eu", "tk", "strong"), SHAPES, strict=False))
-
-
-def teacher_shape(name: str) -> str:
-    """The shape of a teacher's marks; teachers without one of their own share the last one."""
-    return _SHAPES.get(name, SHAPES[-1])
 
 
 def table_height(canvas: Canvas, count: int) -> float:
@@ -38,8 +31,7 @@ def draw_teachers(
         canvas.fill(Box(row.left, row.top, row.right, row.top + canvas.hair), theme.grid)
         name, *cells, pick = row.columns(widths, 2 * unit)
         colour, middle = judgement.colour, row.centre[1]
-        at, shape = (name.left + 7 * unit, middle), teacher_shape(judgement.teacher)
-        draw_shape(canvas, shape, at, 6 * unit, colour, theme.ground)
+        pen_mark(canvas, (name.left + 7 * unit, middle), judgement.pen, 5.5 * unit, theme.ground)
         at, room = (name.left + 20 * unit, middle), name.width - 20 * unit
         canvas.fit(at, judgement.label, room, kind.body, theme.legible(colour), SEMIBOLD)
         for given, cell in zip(judgement.parameters.numbers, cells, strict=True):

@@ -16,12 +16,12 @@ from studio.painter.axes import Axis, axis_with_ticks
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import REGULAR, SEMIBOLD
-from studio.painter.marks import cross, draw_shape, hollow_square
+from studio.painter.marks import cross, hollow_square
+from studio.painter.pens import pen_mark
 from studio.painter.quantile_dots import DotStacks, QuantileDots
 from studio.scene.judgements import Judgement, utilities
 from studio.scene.measures import PERSON, WALL, contact_kinds
 from studio.scene.picture.rows import ActionRows, draw_head, head_height
-from studio.scene.picture.teachers import teacher_shape
 from studio.scene.picture.titles import joined
 from studio.scene.words import bias_told
 from studio.style.palette import Colour
@@ -107,7 +107,7 @@ def _legends(rollouts: Rollouts) -> list[str]:
     """What the dots stand for, the longest wording first."""
     kinds, count = contact_kinds(rollouts), rollouts.count
     dots = len(QuantileDots.of(np.zeros(count), np.zeros(count, np.int64)).values)
-    told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count:,} rollouts"
+    told = "a dot: one rollout" if dots == count else f"{dots} dots stand for {count} rollouts"
     touched = [kind for kind in (PERSON, WALL) if (kinds == kind).any()]
     long = {PERSON: "×: touches a person", WALL: "□: touches a wall"}
     short = {PERSON: "× a person", WALL: "□ a wall"}
@@ -197,9 +197,7 @@ def _draw_certainty_equivalents(
         canvas.fill(Box(ends[0], middle - pen / 2, ends[1], middle + pen / 2), colour)
         at = (axis.at(float(judgement.certainty_equivalents[index])), middle)
         radius = min(4.2 * canvas.unit, 0.6 * lane.height)
-        draw_shape(
-            canvas, teacher_shape(judgement.teacher), at, radius, colour, canvas.theme.ground
-        )
+        pen_mark(canvas, at, judgement.pen, radius, canvas.theme.ground)
 
 
 def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judgement) -> None:
@@ -209,7 +207,7 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
     pick = "filled: pick" if judgement.is_sure else "outlined: open"
     inset = 22 * unit
     mark = (column.left + 8 * unit, column.top + 0.55 * canvas.type.heading)
-    draw_shape(canvas, teacher_shape(judgement.teacher), mark, 6 * unit, colour, theme.ground)
+    pen_mark(canvas, mark, judgement.pen, 5.5 * unit, theme.ground)
     head = Box(column.left + inset, column.top, column.right, column.bottom)
     ink = theme.legible(colour)
     titles = [f"V {judgement.label}", judgement.label]
@@ -232,5 +230,6 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             at = (cell.centre[0], middle + 0.54 * body)
             canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
-            wordings = [f"{value} {interval}", f"{value} {brief}", value]
+            tight = brief.replace(", ", ",")
+            wordings = [f"{value} {each}" for each in (interval, brief, tight)] + [value]
             canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")

@@ -137,7 +137,7 @@ def caption_height(canvas: Canvas, rollouts: Rollouts) -> float:
 def _captions(rollouts: Rollouts) -> list[list[str]]:
     """What the marks in the scene mean: for each line its wordings, the longest first."""
     count, kept = rollouts.count, rollouts.paths
-    sample = f"a sample, {kept} of {count:,} rollouts"
+    sample = f"a sample, {kept} of {count} rollouts"
     thin = "Thin: every rollout" if kept == count else f"Thin: {sample}"
     paths = [f"{thin} · bold: mean", thin]
     people = "Grey: people" if rollouts.scene.pedestrians else ""
@@ -151,8 +151,13 @@ def _captions(rollouts: Rollouts) -> list[list[str]]:
         if (who >= 0).any()
     ]
     contact = f"touched: {', '.join(touched)}" if touched else ""
+    brief = people and f"{people} and their walks"
     others = joined(
-        (walks, groups, contact), (walks, contact), (people, groups, contact), (people, contact)
+        (walks, groups, contact),
+        (walks, contact),
+        (brief, groups, contact),
+        (brief, contact),
+        (people, contact),
     )
     dashed = [f"Dashed: {told}" for told in true_walks_told(rollouts)]
     return [lines for lines in (paths, others, dashed) if any(lines)]

@@ -145,17 +145,13 @@ def _straight(axis: Axis, values: FloatArray) -> FloatArray:
     return pixels
 
 
-def draw_parameters(
-    canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales
-) -> None:
-    """Draw θ and the parameters that were learnt from the most pairs, a dot a seed."""
-    shaped = stage.results.shaped
+def draw_reward(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
+    """Draw the direction of θ that was learnt from the most pairs, a dot a seed."""
     learnt = {name: fits_between(stage, teacher, name) for name in stage.results.learners}
-    halves = box.columns((1.45, 1), _GAP * canvas.unit) if shaped else (box,)
     low, high = scales.theta
     truth = unit_vector(teacher.reward)
     units = {name: [unit_vector(fit["theta"]) for fit in fits] for name, fits in learnt.items()}
-    _draw_cosines(canvas, halves[0], units, truth)
+    _draw_cosines(canvas, box, units, truth)
     rewards = _RowPlot(
         _REWARD_TITLES,
         feature_names(len(teacher.reward)),
@@ -165,9 +161,11 @@ def draw_parameters(
         truth=truth.tolist(),
         learnt=units,
     )
-    rewards.draw(canvas, halves[0])
-    if not shaped:
-        return
+    rewards.draw(canvas, box)
+
+
+def draw_risk(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales: Scales) -> None:
+    """Draw the parameters of prospect theory learnt from the most pairs, a dot a seed."""
     low, high = scales.parameters
     parameters = _RowPlot(
         ["Parameters of prospect theory", "Risk parameters", "Parameters"],
@@ -177,12 +175,15 @@ def draw_parameters(
         neutral=1.0,
         truth=teacher.parameters.numbers,
         learnt={
-            name: [np.array(found.numbers) for found in map(parameters_of, fits) if found]
-            for name, fits in learnt.items()
-            if name in shaped
+            name: [
+                np.array(found.numbers)
+                for found in map(parameters_of, fits_between(stage, teacher, name))
+                if found
+            ]
+            for name in stage.results.shaped
         },
     )
-    parameters.draw(canvas, halves[1])
+    parameters.draw(canvas, box)
 
 
 def _draw_cosines(

@@ -1,8 +1,7 @@
 """The second page of a study: what was learned from whom, beside what is true.
 
-One column a teacher. From above: regret over the number of pairs, the weighting and the value
-function that were learnt beside the true ones, the parameters, and how well preferences and picks
-are predicted. A single teacher gets the page to himself, in two columns.
+One column a teacher. From above: the weighting and the value function that were learnt beside the
+true ones, the reward and the parameters of risk, and how well preferences and picks are predicted.
 """
 
 from collections.abc import Sequence
@@ -12,19 +11,22 @@ from learners import Teacher
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
+from studio.painter.pens import pen_mark
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.finding import MOST_TEACHERS, SIZE
 from studio.study.picture.heads import draw_head, head_height
-from studio.study.picture.minds import draw_calibration, draw_parameters, draw_shapes
-from studio.study.picture.progress import draw_agreement, draw_regret
+from studio.study.picture.minds import draw_calibration, draw_reward, draw_risk, draw_shapes
+from studio.study.picture.progress import draw_agreement
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
-from studio.study.words import notes, reached, study_subtitles, study_titles
-from studio.style.palette import LIGHT, Theme
+from studio.study.words import error_notes, notes, reached, study_subtitles, study_titles
+from studio.style.palette import LIGHT, Theme, learner_pen
+from studio.style.words import learner_name
 
 _BETWEEN = 14  # from row to row of plots, in units of the page
 _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
-_WIDE = 1.2  # a teacher's part of the page that is wider than this many heights has two columns
+_NARROW = 29  # a column narrower than this many sizes of small type has one plot a row
+_LOW = 34  # such a column has no room for errors if it is lower than this many sizes of small type
 
 
 def compose_study_picture(
@@ -45,10 +47,10 @@ class TeacherColumn:
 
     teacher: Teacher
     head: Box  # for the teacher's name and the verdict
-    regret: Box
     shapes: Box | None  # for weights and values; None if no learner learnt any
-    parameters: Box
-    calibration: Box
+    reward: Box
+    risk: Box | None  # for parameters of prospect theory; None likewise
+    calibration: Box | None  # for errors of predictions; None if there is no room for them
     agreement: Box
 
 
@@ -82,7 +84,11 @@ def lay_out_study(
     heading = draw_heading(
         canvas, page, study_titles(results), study_subtitles(results, left_out), room
     )
-    lines = max(len(_note_lines(canvas, page, stage, more_notes)) for stage in results.stages)
+    _draw_learners(canvas, heading, results)
+    lines = max(
+        len(_note_lines(canvas, page, stage, (*error_notes(stage), *more_notes)))
+        for stage in results.stages
+    )
     notes_top = page.bottom - lines * _NOTE_STEP * kind.small
     notes_box = Box(page.left, notes_top, page.right, page.bottom)
     body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
@@ -95,28 +101,46 @@ def lay_out_study(
     return StudyPage(canvas, results, heading, columns, notes_box, more_notes, scales)
 
 
+def _draw_learners(canvas: Canvas, heading: Box, results: StudyResults) -> None:
+    """Say at the right of the subtitle which mark is whose, if there is room."""
+    kind, unit = canvas.type, canvas.unit
+    names = [learner_name(learner) for learner in results.learners]
+    widths = [canvas.measure(name, kind.body, SEMIBOLD) + 34 * unit for name in names]
+    subtitle = canvas.texts[-1].box
+    left = heading.right - sum(widths)
+    if left < subtitle.right:
+        return
+    for learner, name, width in zip(results.learners, names, widths, strict=True):
+        pen, middle = learner_pen(learner), subtitle.centre[1]
+        pen_mark(canvas, (left + 22 * unit, middle), pen, 4.5 * unit, canvas.theme.ground)
+        colour = canvas.theme.legible(pen.colour)
+        canvas.text((left + 34 * unit, middle), name, kind.body, colour, SEMIBOLD)
+        left += width
+
+
 def _lay_out_column(
     canvas: Canvas, box: Box, results: StudyResults, teacher: Teacher
 ) -> TeacherColumn:
-    kind, unit, gap = canvas.type, canvas.unit, _BETWEEN * canvas.unit
+    unit, gap = canvas.unit, _BETWEEN * canvas.unit
     head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
     rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
-    minds = 2 if results.shaped else 1
-    if rest.width > _WIDE * rest.height:
-        left, right = rest.columns((1.1, 1), canvas.gap)
-        regret, predictions = left.rows((1.7, 1), gap)
-        *shapes, parameters = right.rows([1.0] * minds, gap)
+    shapes = risk = calibration = None
+    if rest.width < _NARROW * canvas.type.small:
+        if results.shaped and rest.height < _LOW * canvas.type.small:
+            shapes, reward, risk, agreement = rest.rows((0.95, 1.63, 1.63, 1.3), gap)
+        elif results.shaped:
+            rows = rest.rows((1.05, 1.35, 1.35, 0.9, 1.2), gap)
+            shapes, reward, risk, calibration, agreement = rows
+        else:
+            reward, calibration, agreement = rest.rows((1.7, 1.0, 1.0), gap)
+    elif results.shaped:
+        shapes, parameters, predictions = rest.rows((1.05, 1.2, 1.0), gap)
+        reward, risk = parameters.columns((1.45, 1.0), 20 * unit)
+        calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
     else:
-        heights = {1: [2.3, 1.2, 1.45], 2: [2.1, 1.3, 1.4, 1.2]}[minds]
-        if results.shaped:
-            # plots no higher than wide, so that slopes can be compared, and their names
-            rows = rest.height - (len(heights) - 1) * gap
-            share = min((rest.width / 3 + 2.5 * kind.small) / rows, heights[1] / sum(heights))
-            heights[1] = share / (1.0 - share) * (sum(heights) - heights[1])
-        regret, *shapes, parameters, predictions = rest.rows(heights, gap)
-    calibration, agreement = predictions.columns((1, 1.25), 20 * unit)
-    shapes_box = shapes[0] if shapes else None
-    return TeacherColumn(teacher, head, regret, shapes_box, parameters, calibration, agreement)
+        reward, predictions = rest.rows((1.2, 1.0), gap)
+        calibration, agreement = predictions.columns((1.0, 1.25), 20 * unit)
+    return TeacherColumn(teacher, head, shapes, reward, risk, calibration, agreement)
 
 
 def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
@@ -130,11 +154,16 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
         draw_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
             draw_shapes(canvas, column.shapes, stage, teacher, scales)
-        draw_parameters(canvas, column.parameters, stage, teacher, scales)
-        draw_calibration(canvas, column.calibration, stage, teacher, scales)
-        draw_regret(canvas, column.regret, stage, teacher, scales)
+        draw_reward(canvas, column.reward, stage, teacher, scales)
+        if column.risk is not None:
+            draw_risk(canvas, column.risk, stage, teacher, scales)
+        if column.calibration is not None:
+            draw_calibration(canvas, column.calibration, stage, teacher, scales)
         draw_agreement(canvas, column.agreement, stage, teacher, scales)
-    for index, line in enumerate(_note_lines(canvas, page.notes, stage, page.more_notes)):
+    more = page.more_notes
+    if any(column.calibration is not None for column in page.columns):
+        more = (*error_notes(stage), *more)
+    for index, line in enumerate(_note_lines(canvas, page.notes, stage, more)):
         top = page.notes.top + index * _NOTE_STEP * kind.small
         canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
     return canvas

@@ -11,7 +11,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.labels import end_labels
 from studio.painter.lettering import SEMIBOLD
 from studio.painter.marks import band
-from studio.painter.pens import pen_marker, pen_path
+from studio.painter.pens import pen_line, pen_mark
 from studio.study.picture.growth import grown
 from studio.study.picture.panels import named_panel
 from studio.study.picture.scales import Scales
@@ -41,9 +41,7 @@ def draw_regret(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher, scales
     up = LogAxis(low, high, panel.bottom - strip, panel.top, panel.bottom - 0.35 * strip)
     marks = [0.0, *marks] if has_zero else marks
     curves = stage.results.curves_of("regret_percent", teacher)
-    drawn = _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent, seeds_too=True)
-    if not drawn:
-        canvas.text(panel.centre, NO_FITS, kind.small, canvas.theme.faint, anchor="centre")
+    _draw_curves(canvas, panel, stage, curves, up, marks, 1.0, _percent, seeds_too=True)
 
 
 def draw_agreement(
@@ -75,15 +73,12 @@ def _draw_curves(
     scale: float,
     say: Callable[[float], str],
     seeds_too: bool = False,
-) -> int:
+) -> None:
     """Draw curves over the number of pairs, with bands, and names at their ends.
 
     They go as far as the stage does; their names stand to the right of the farthest end. The axis
     upwards is that of the curves' values times `scale`, which `say` turns into words. Every seed
-    and the interquartile mean may be drawn, too.
-
-    Returns:
-        How many curves have begun.
+    and the interquartile mean may be drawn, too. Where no curve has begun, it says so.
     """
     unit, size = canvas.unit, canvas.type.small
 
@@ -93,8 +88,10 @@ def _draw_curves(
 
     longest = [wordings(curve, mean)[0] for curve in curves for mean in curve.mean]
     widest = [canvas.measure(said, size, SEMIBOLD) for said in longest]
+    # how far seeds reach to the side of the mean
+    reach = (len(curves) / 2 - 0.05) * _ASIDE * unit if seeds_too else 0.0
+    margin = max(9 * unit, reach + 7 * unit)
     room = min(max(widest, default=0.0) + 10 * unit, 0.46 * panel.width)
-    margin = 9 * unit
     sizes = [float(pairs) for pairs in stage.results.sizes]
     first, last = (sizes[0], sizes[-1]) if sizes else (1.0, 10.0)
     if first == last:
@@ -129,17 +126,23 @@ def _draw_curves(
             aside = (place - (len(begun) - 1) / 2) * _ASIDE * unit
             _draw_seeds(part, curve, across, up, scale, pen, aside)
     for path, pen in zip(paths, pens, strict=True):
-        pen_path(part, path, pen, 2.6 * unit)
+        pen_line(part, path, pen, 2.6 * unit)
     for curve, path, pen in zip(begun, paths, pens, strict=True):
         for x, y in path[curve.runs > 0].tolist():
-            pen_marker(part, (x, y), pen, 3.6 * unit)
+            pen_mark(part, (x, y), pen, 3.6 * unit, canvas.theme.panel)
     left = max((float(path[-1, 0]) for path in paths), default=end) + margin
     labels = [
-        (float(path[-1, 1]), wordings(curve, curve.mean[-1]), pen.colour)
+        # between two sizes there is no number to name
+        (
+            float(path[-1, 1]),
+            wordings(curve, curve.mean[-1])[int(curve.runs[-1] == 0) :],
+            pen.colour,
+        )
         for curve, path, pen in zip(begun, paths, pens, strict=True)
     ]
     end_labels(canvas, left, Box(left, panel.top, left + room, panel.bottom), labels)
-    return len(begun)
+    if not begun:
+        canvas.text(panel.centre, NO_FITS, size, canvas.theme.faint, anchor="centre")
 
 
 def _draw_seeds(
@@ -153,6 +156,7 @@ def _draw_seeds(
 ) -> None:
     """Draw a dot for every seed, and a bar with its interval for the interquartile mean.
 
+    A small triangle stands at the foot of the axis for a seed that lies below it.
     They stand a little to the side of the mean (px), so that those of several learners can be told
     apart.
     """
@@ -161,8 +165,12 @@ def _draw_seeds(
         curve.pairs, curve.samples, curve.middle, curve.middle_low, curve.middle_high, strict=False
     ):
         x = across.at(float(pairs)) + aside
-        for y in up.along(scale * samples).tolist():
-            canvas.disc((x, y), 1.9 * unit, faint)
+        for sample in (scale * samples).tolist():
+            if 0.0 < sample < up.low:
+                below = Pen(faint, (), "triangle_down")
+                pen_mark(canvas, (x, up.start - 4 * unit), below, 2.6 * unit, canvas.theme.panel)
+            else:
+                canvas.disc((x, up.at(sample)), 1.9 * unit, faint)
         if len(samples) > 1:
             ends = up.along(scale * np.array([low, high]))
             canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)

@@ -12,6 +12,7 @@ from rerun_notebook import Viewer
 
 from scenes import Rollouts, load_scene, simulate
 from scenes.bank import BankPlan, write_bank
+from studio import open_recording
 from studio.errors import InputError
 from studio.made.notebook import SHOWN_SIZE, register_pictures
 from studio.made.results import Compared, Learned, Made, Recorded
@@ -83,7 +84,7 @@ def test_a_result_is_data_too(recorded: Recorded) -> None:
     np.testing.assert_array_equal(table["progress_m"], recorded.rollouts.progress_m.ravel())
 
 
-def test_scenes_and_rollouts_are_pictures_in_a_notebook_and_short_in_print() -> None:
+def test_scenes_rollouts_and_recordings_are_pictures_in_a_notebook(recorded: Recorded) -> None:
     scene = load_scene("intersection", number=11)
     rollouts: Rollouts = simulate(scene, rollouts=3, horizon=1.0)
     assert repr(scene) == (
@@ -95,7 +96,7 @@ def test_scenes_and_rollouts_are_pictures_in_a_notebook_and_short_in_print() -> 
     shell = InteractiveShell.instance()
     try:
         register_pictures()
-        for thing in (scene, rollouts):
+        for thing in (scene, rollouts, open_recording(recorded.files[0])):
             data, _ = shell.display_formatter.format(thing)
             pixels, _ = shown(data["text/html"])
             assert pixels.shape == (SHOWN_SIZE[1], SHOWN_SIZE[0], 3)

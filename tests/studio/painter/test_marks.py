@@ -6,7 +6,7 @@ from studio.arrays import BoolArray
 from studio.painter.axes import Axis
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.marks import SHAPES, Histogram, draw_histogram, draw_icons, draw_shape
+from studio.painter.marks import Histogram, draw_histogram, draw_icons
 from studio.style.palette import LIGHT
 from tests.canvases import a_canvas
 
@@ -71,12 +71,3 @@ def test_bars_are_as_high_as_they_count_on_a_scale_that_may_be_given() -> None:
     assert height(4, [0.5] * 4) == 100
     assert height(1000, [0.5]) == 2  # a sliver
     assert 90 < height(4, [0.5] * 8) < 100  # broken below its top
-
-
-@pytest.mark.parametrize("shape", SHAPES)
-def test_shapes_have_one_colour_and_about_one_size(shape: str) -> None:
-    canvas = a_canvas()
-    draw_shape(canvas, shape, (100.0, 100.0), 20.0, BLUE, LIGHT.ground)
-    covered = (canvas.pixels == BLUE).all(axis=-1).sum()
-    assert 0.7 < covered / (np.pi * 20.0**2) < 1.2
-    assert (canvas.pixels[100, 100] == BLUE).all()

@@ -28,9 +28,6 @@ def test_a_stage_knows_what_was_found_by_its_time(results: StudyResults) -> None
     assert stage.sizes == SIZES[:1]
     assert {fit["pairs"] for fit in stage.fits} == {25}
     assert stage.largest(TEACHERS["eu"], "eu") == results.fits_of(TEACHERS["eu"], "eu", 25)
-    curve = results.curve("regret_percent", TEACHERS["eu"], "cpt")
-    assert curve is not None
-    assert stage.so_far(curve).mean.tolist() == curve.mean[:1].tolist()
 
 
 def test_a_study_without_fits_has_one_stage_of_nothing() -> None:

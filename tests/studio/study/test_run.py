@@ -34,12 +34,13 @@ def bank(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_learn_writes_table_picture_and_recording(bank: Path, tmp_path: Path) -> None:
+def test_learn_writes_table_pictures_and_recording(bank: Path, tmp_path: Path) -> None:
     result = run(
         "learn", "--outcomes", bank, "--pairs", "10,30", "--seeds", "2", "--out", tmp_path
     )  # fmt: skip
     assert result.exit_code == 0, result.stderr
     assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "learning-2.png",
         "learning.parquet",
         "learning.png",
         "learning.rrd",
@@ -77,7 +78,7 @@ def test_scenes_that_are_told_of_have_recordings_of_the_very_rollouts_of_the_ban
     learned = Studio(tmp_path).learn(bank, **SMALL)
     links = re.findall(r"\]\(<([^>]+)>\)", page_of_scenes(tmp_path))
     assert 1 <= len(set(links)) <= 6
-    assert {tmp_path / link for link in links} == set(learned.files[3:])
+    assert {tmp_path / link for link in links} == set(learned.files[4:])
     assert sorted(set(links)) == sorted(f"scenes/{p.name}" for p in (tmp_path / "scenes").iterdir())
     for link in links:
         family, *pattern, seed, number = Path(link).stem.split("-")
@@ -138,7 +139,8 @@ def test_scenes_that_do_not_come_out_as_in_the_bank_are_not_recorded(
     other = tmp_path / "other.parquet"
     pq.write_table(change(pq.read_table(bank)), other)
     learned = Studio(tmp_path / "out").learn(other, **SMALL)
-    assert len(learned.files) == 3
+    names = ["learning.parquet", "learning.png", "learning.rrd", "learning-2.png"]
+    assert [path.name for path in learned.files] == names
     assert not (tmp_path / "out" / "scenes").exists()
     page = page_of_scenes(tmp_path / "out")
     assert "These scenes have no recordings" in page

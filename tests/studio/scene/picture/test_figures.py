@@ -14,7 +14,7 @@ from studio.scene.judgements import Judgement, judge
 from studio.scene.picture.curves import draw_value_curves, draw_weighting
 from studio.scene.picture.ranks import draw_ranks
 from studio.scene.picture.utilities import draw_utilities
-from studio.style.palette import LIGHT, TEACHER_COLOURS, THEMES
+from studio.style.palette import LIGHT, THEMES, teacher_colour
 from tests.canvases import check_texts, red_pixels, texts
 
 NAMES = tuple(action.name for action in META_ACTIONS)
@@ -86,7 +86,7 @@ def test_fifty_dots_stand_for_more_rollouts_and_say_so(
     drawn = draw_utilities(canvas, BOX, many, judge(many))
     assert [len(places) for places in drawn.dots] == [50, 50]
     assert (drawn.rollouts[0] == -1).all()
-    assert any("50 dots stand for 1,200 rollouts" in text for text in texts(canvas))
+    assert any("50 dots stand for 1200 rollouts" in text for text in texts(canvas))
 
 
 def test_values_come_with_their_intervals_and_a_pick_is_told_from_what_is_open(
@@ -103,7 +103,7 @@ def test_values_come_with_their_intervals_and_a_pick_is_told_from_what_is_open(
     assert "outlined: open" in said
     assert "[0.200, 0.400]" in said
     filled, outlined = (
-        int((canvas.pixels == TEACHER_COLOURS[name]).all(axis=-1).sum()) for name in ("eu", "tk")
+        int((canvas.pixels == teacher_colour(name)).all(axis=-1).sum()) for name in ("eu", "tk")
     )
     assert filled > 2 * outlined
 

@@ -272,7 +272,7 @@ def test_learn_writes_the_figure_where_it_is_wanted(name: str, bank: Path, tmp_p
     assert "mean over 2 seeds" in caption
     # the recordings of single scenes have a folder of their own
     written = [path for path in (tmp_path / "out").iterdir() if path.is_file()]
-    assert len(written) == 3
+    assert len(written) == 4
 
 
 def test_without_a_figure_no_caption_is_told(bank: Path, tmp_path: Path) -> None:
