@@ -13,7 +13,7 @@ import rerun as rr
 import rerun.blueprint as rrb
 from numpy.typing import NDArray
 
-from studio.arrays import PixelArray
+from studio.arrays import Bounds, PixelArray
 from studio.style.palette import LIGHT
 
 _MOST_COLOURS = 256  # of an image with a palette
@@ -36,9 +36,15 @@ def log_figure(
     stream.log(path, image, static=static)
 
 
-def painted_view(path: str, title: str) -> rrb.View:
-    """A view of a figure, and of all that lies below its path; it shows all of the figure."""
-    return rrb.Spatial2DView(origin=f"/{path}", name=title, background=LIGHT.ground)
+def painted_view(path: str, title: str, window: Bounds | None = None) -> rrb.View:
+    """A view of a figure, or of a part of it (px, y down), and of all that lies below its path."""
+    bounds = None
+    if window:
+        x0, y0, x1, y1 = window
+        bounds = rrb.VisualBounds2D(x_range=[x0, x1], y_range=[y0, y1])
+    return rrb.Spatial2DView(
+        origin=f"/{path}", name=title, background=LIGHT.ground, visual_bounds=bounds
+    )
 
 
 def palette_png(pixels: PixelArray) -> bytes:

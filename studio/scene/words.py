@@ -4,10 +4,18 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from learners import REWARD
 from scenes import Rollouts
 from studio.scene.certainty import RESAMPLES, wilson
 from studio.scene.judgements import Judgement
-from studio.style.words import action_label, alternatives, counted, share_told, signed_number
+from studio.style.words import (
+    action_label,
+    alternatives,
+    counted,
+    number,
+    share_told,
+    signed_number,
+)
 
 
 def pick_told(judgement: Judgement, names: Sequence[str]) -> str:
@@ -53,3 +61,19 @@ def bias_told(judgements: Sequence[Judgement], names: Sequence[str], count: int)
         f"({judgement.label}, {action_label(names[index])}), held against "
         f"{counted(worst.rollouts, 'rollout')}."
     )
+
+
+def rollouts_told(rollouts: Rollouts, index: int) -> list[str]:
+    """What came of each of the M rollouts under an action whose paths are kept."""
+    columns = zip(
+        (rollouts.features[index, : rollouts.paths] @ np.array(REWARD)).tolist(),
+        rollouts.clearance_m[index].tolist(),
+        rollouts.progress_m[index].tolist(),
+        rollouts.deviation_m[index].tolist(),
+        strict=False,
+    )
+    return [
+        f"rollout {place}: utility {number(worth, '.3f')}, gap {gap:.2f} m, "
+        f"progress {number(progress, '.2f')} m, aside {aside:.2f} m"
+        for place, (worth, gap, progress, aside) in enumerate(columns)
+    ]

@@ -167,11 +167,11 @@ def lay_out_film(
     size: tuple[int, int],
     theme: Theme = LIGHT,
     judgements: Sequence[Judgement] = (),
-    of: int = 0,
+    sample_of: int = 0,
 ) -> FilmPage:
     """Draw what all frames share; raises what `compose_film` raises.
 
-    The actions are played in their order. The rollouts may be a sample `of` more.
+    The actions are played in their order. The rollouts may be a sample of more of each action.
     """
     canvas = Canvas(*size, theme.of(rollouts.names))
     kind, unit, page = canvas.type, canvas.unit, canvas.page
@@ -200,8 +200,8 @@ def lay_out_film(
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
     cells = strip.columns([1.0] * count, 12 * unit)
-    shared, sample_of = (canvas, view, side, clock, cells), max(of, rollouts.count)
-    return FilmPage(*shared, courses(rollouts), tuple(judgements), sample_of)
+    shown = courses(rollouts), tuple(judgements), max(sample_of, rollouts.count)
+    return FilmPage(canvas, view, side, clock, cells, *shown)
 
 
 # One action

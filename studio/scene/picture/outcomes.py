@@ -20,8 +20,8 @@ from studio.scene.picture.titles import joined
 from studio.style.ticks import round_range, ticks
 from studio.style.words import listed, share_told, signed
 
+_LONGEST = "Clearance, m"  # of the titles of features
 _BINS = 24  # of a histogram
-_CONTACT, _FEATURE = 124, 104  # widths of the columns, in proportion
 _LOWEST, _HIGHEST = 16.0, 96.0  # rows, in units of the page
 
 
@@ -34,22 +34,20 @@ def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
     touched = {"person": rollouts.person_step >= 0}
     if rollouts.wall_touched.any():
         touched["wall"] = rollouts.wall_touched
-    gap = 16 * unit
+    gap = 10 * unit
     name = Box(box.left, box.top, box.left + rows.name_width(canvas), box.bottom)
-    widths = [*[_CONTACT] * len(touched), *[_FEATURE] * len(FEATURES)]
+    # one column of contacts may be a bit wider than those of features
+    widths = [1.0 if len(touched) > 1 else 1.1] * len(touched) + [1.0] * len(FEATURES)
     columns = Box(name.right + gap, box.top, box.right, box.bottom).columns(widths, gap)
     shown, kinds = measures(rollouts), contact_kinds(rollouts)
-    size = _head_size(canvas, [each.title.capitalize() for each in shown], columns[-1].width)
+    size = _head_size(canvas, columns[-1].width)
     rows.draw_lines(canvas)
     rows.draw_names(canvas, name)
     draw_head(canvas, name, ["Action"], [""], canvas.theme.ink, size)
     counts, of = [who.sum(axis=1) for who in touched.values()], rollouts.count
     words = _ContactWords.fit(canvas, rows, columns[0].width, counts, of)
     for place, (column, thing) in enumerate(zip(columns, touched, strict=False)):
-        below = [
-            f"a {thing}, {words.below}",
-            f"a {thing}, %" if "%" in words.below else f"a {thing}",
-        ]
+        below = [f"a {thing}{words.below}"]
         draw_head(canvas, column, ["Touched"], below, canvas.theme.ink, size)
         told = list(zip(words.counts[place], words.shares[place], strict=True))
         _draw_contacts(canvas, column, rows, counts[place], of, thing, told)
@@ -62,13 +60,16 @@ def draw_outcomes(canvas: Canvas, box: Box, rollouts: Rollouts) -> None:
     canvas.fit(at, _notes(rollouts, most), box.width, small, canvas.theme.faint, line="top")
 
 
-def _head_size(canvas: Canvas, titles: Sequence[str], width: float) -> int:
-    """The largest size of type in which all titles of columns of a width (px) fit, px."""
+def _head_size(canvas: Canvas, width: float) -> int:
+    """The largest size of type in which the title of every feature fits a width (px), px."""
     kind = canvas.type
-    for size in (kind.heading, kind.body):
-        if all(canvas.measure(title, size, SEMIBOLD) <= width for title in titles):
-            return size
-    return kind.small
+    sizes = (size for size in (kind.heading, kind.body) if _fits(canvas, size, width))
+    return next(sizes, kind.small)
+
+
+def _fits(canvas: Canvas, size: int, width: float) -> bool:
+    """Whether the titles of all features fit a width, px, in a size of type, px."""
+    return canvas.measure(_LONGEST, size, SEMIBOLD) <= width
 
 
 def _notes(rollouts: Rollouts, most: Sequence[int]) -> list[str]:
@@ -95,7 +96,7 @@ class _ContactWords:
     Where there is room, they are counts and shares in percent; else shares alone.
     """
 
-    below: str  # what is counted, for below the title
+    below: str  # what is told, to follow the name of a thing
     counts: list[list[str]]  # of each kind, an action each; empty where there is no room for them
     shares: list[list[str]]  # of each kind, an action each: the share and its interval
 
@@ -110,12 +111,19 @@ class _ContactWords:
         widest = max(canvas.measure(text, small) for own in shares for text in own)
         widest += max(canvas.measure(text, size, SEMIBOLD) for own in numbers for text in own)
         if widest + 6 * canvas.unit <= width:
-            return cls(f"of {count}", numbers, shares)
+            return cls(_suffix(canvas, width, [f", of {count}", ""]), numbers, shares)
         nothing = [[""] * len(own) for own in numbers]
         shares = [[text.replace(" %", "") for text in own] for own in shares]
         if any(canvas.measure(text, small) > width for own in shares for text in own):
             shares = [[text.split(" ", 1)[1] for text in own] for own in shares]
-        return cls(f"% of {count}", nothing, shares)
+        return cls(_suffix(canvas, width, [f", % of {count}", ", %"]), nothing, shares)
+
+
+def _suffix(canvas: Canvas, width: float, wordings: Sequence[str]) -> str:
+    """The first wording with which the longest name of a thing fits a width, px, or the last."""
+    small = canvas.type.small
+    fitting = (text for text in wordings if canvas.measure(f"a person{text}", small) <= width)
+    return next(fitting, wordings[-1])
 
 
 def _share_told(touched: int, count: int) -> str:
@@ -200,9 +208,12 @@ def _draw_measure(
         for values, kind in zip(measure.values, kinds, strict=True)
     ]
     most = max(histogram.highest for histogram in histograms)
-    titles = [measure.title.capitalize(), measure.feature.capitalize()]
-    below, ink = [f"reward {signed(worth)}", signed(worth)], canvas.theme.ink
-    draw_head(canvas, column, titles, below, ink, size)
+    title, below = measure.title.capitalize(), [f"reward {signed(worth)}", signed(worth)]
+    # a unit that has no room in the title of every feature stands below all titles
+    if not _fits(canvas, size, column.width):
+        title, unit = measure.feature.capitalize(), f"{measure.unit} · " if measure.unit else ""
+        below = [f"{unit}{signed(worth)}"]
+    draw_head(canvas, column, [title], below, canvas.theme.ink, size)
     axis = Axis(float(edges[0]), float(edges[-1]), column.left, column.right)
     for index, row, colour in rows.coloured(canvas, column):
         plot = Box(row.left, row.top + 0.1 * row.height, row.right, row.bottom - 1)

@@ -5,6 +5,7 @@ dots a mark for each teacher at the utility that, for sure, would be worth as mu
 the action: the certainty equivalent of its value V. At the right stands V itself.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -80,8 +81,16 @@ def _told(judgement: Judgement, index: int) -> tuple[str, str, str]:
     """The value V of an action, its interval, and its interval in brief."""
     numbers = [float(each[index]) for each in (judgement.values, judgement.low, judgement.high)]
     value, low, high = (rounded_number(each, 3, ".3f") for each in numbers)
-    ends = (rounded_number(each, 2, ".2f").replace("0.", ".", 1) for each in numbers[1:])
+    ends = (re.sub("^(−?)0", r"\1", rounded_number(each, 2, ".2f")) for each in numbers[1:])
     return value, f"[{low}, {high}]", "[{}, {}]".format(*ends)
+
+
+def _lines(canvas: Canvas, told: Sequence[tuple[str, str, str]], room: float) -> list[str]:
+    """Values with their intervals in brief, each on one line; without spaces if room is scarce."""
+    lines = [f"{value} {brief}" for value, _, brief in told]
+    if all(canvas.measure(line, canvas.type.small) <= room for line in lines):
+        return lines
+    return [line.replace(", ", ",") for line in lines]
 
 
 def _value_width(canvas: Canvas, rows: ActionRows, judgements: Sequence[Judgement]) -> float:
@@ -212,6 +221,8 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
     ink = theme.legible(colour)
     titles = [f"V {judgement.label}", judgement.label]
     draw_head(canvas, head, titles, [pick, pick.split()[-1]], ink, canvas.type.heading)
+    room = column.width - 6 * unit
+    lines = _lines(canvas, [_told(judgement, index) for index in range(rows.shown)], room)
     for index, cell in enumerate(rows.cells(column)):
         middle, is_candidate = cell.centre[1], index in judgement.candidates
         pill = cell.inset(2 * unit)
@@ -223,13 +234,11 @@ def _draw_values(canvas: Canvas, column: Box, rows: ActionRows, judgement: Judge
             else:
                 canvas.rounded(pill.inset(max(1.0, 2 * unit)), 5 * unit, theme.ground)
         value, interval, brief = _told(judgement, index)
-        weight, room = SEMIBOLD if is_candidate else REGULAR, cell.width - 6 * unit
+        weight = SEMIBOLD if is_candidate else REGULAR
         if _has_two_lines(canvas, rows):
             at = (cell.centre[0], middle - 0.54 * small)
             canvas.fit(at, value, room, body, ink, weight, anchor="centre")
             at = (cell.centre[0], middle + 0.54 * body)
             canvas.fit(at, [interval, brief], room, small, quiet, anchor="centre")
         else:
-            tight = brief.replace(", ", ",")
-            wordings = [f"{value} {each}" for each in (interval, brief, tight)] + [value]
-            canvas.fit(cell.centre, wordings, room, small, ink, anchor="centre")
+            canvas.fit(cell.centre, [lines[index], value], room, small, ink, anchor="centre")

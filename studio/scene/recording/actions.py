@@ -4,7 +4,6 @@ All rollouts whose paths are kept are there as dots that move along `sim_time`.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -12,10 +11,8 @@ import rerun as rr
 
 from scenes import Rollouts
 from studio.arrays import FloatArray, IntArray
-from studio.scene.judgements import Judgement
 from studio.scene.measures import touched_by
 from studio.scene.recording import entities
-from studio.scene.recording.answers import told_of_people, told_of_rollouts
 from studio.scene.recording.moving import (
     CONTACT_CLASS,
     CROSS,
@@ -24,34 +21,27 @@ from studio.scene.recording.moving import (
     group_bars,
     log_over_time,
     path_corners,
+    people_told,
     rounded,
     strips,
     time_columns,
 )
 from studio.scene.recording.shown import log_shown
+from studio.scene.words import rollouts_told
 from studio.style.palette import Theme, blend
-from studio.style.words import action_label
 
 ROBOT_DOT, PERSON_DOT, BAR = 2.2, 1.3, 1.0  # radii of dots, half the width of bars, px
 MARK_REACH = 0.06  # from the middle of a mark of contact to its sides, m
 
 
 def log_action(
-    stream: rr.RecordingStream,
-    rollouts: Rollouts,
-    judgements: Sequence[Judgement],
-    index: int,
-    gap: FloatArray,
-    theme: Theme,
+    stream: rr.RecordingStream, rollouts: Rollouts, index: int, gap: FloatArray, theme: Theme
 ) -> None:
     """Show the M rollouts under one action whose paths are kept.
 
     The gap [M, T+1] is that to the nearest person, m.
     """
-    name, told = rollouts.names[index], told_of_rollouts(rollouts, index)
-    values: dict[str, Any] = {f"V {each.label}": each.values[index] for each in judgements}
-    about = rr.AnyValues(action=action_label(name), rollouts=rollouts.count, **values)
-    stream.log(entities.action(name), about, static=True)
+    told = rollouts_told(rollouts, index)
     classes = class_over_time(rollouts, index)
     log_robots(stream, rollouts, index, classes, told)
     log_paths(stream, rollouts, index, told, theme)
@@ -101,7 +91,7 @@ def log_pedestrians(
     faint = blend(theme.pedestrian, theme.panel, 0.5)
     radius = rr.Radius.ui_points(PERSON_DOT)
     dots = rr.Points2D.from_fields(radii=radius, colors=faint, draw_order=10.0)
-    look: list[rr.AsComponents] = [dots, rr.AnyValues(told=told_of_people(told, person_count))]
+    look: list[rr.AsComponents] = [dots, rr.AnyValues(told=people_told(told, person_count))]
     points = rr.Points2D.columns(positions=people.reshape(-1, 2))
     columns = [*points.partition([count * person_count] * times)]
     if rollouts.scene.groups:

@@ -20,19 +20,24 @@ VIEW_SHAPE = (16, 9)
 """Width to height of views of the world on a common screen."""
 
 OVERVIEW, TITLE_HEIGHT = (700.0, 620.0), 28.0  # room for all worlds, and a view's title, px
+MOST_COLUMNS = 3  # of worlds; in more there is no room for their titles
 
 
 def recording_blueprint(
-    rollouts: Rollouts, bounds: Bounds, gaps: tuple[float, float]
+    rollouts: Rollouts, bounds: Bounds, gaps: tuple[float, float], windows: Sequence[Bounds]
 ) -> rrb.Blueprint:
     """The tabs of a recording: overview, one an action, prospects, minds, about.
 
-    Views of the world show the bounds, those of gaps to people (m) this range.
+    Views of the world show the bounds, those of gaps to people (m) this range, and those of the
+    utilities under each action its window (px).
     """
     return opening(
         [
             scene_overview(rollouts),
-            *(action_tab(rollouts, index, bounds, gaps) for index in range(len(rollouts.actions))),
+            *(
+                action_tab(rollouts, index, bounds, gaps, window)
+                for index, window in enumerate(windows)
+            ),
             prospects_tab(),
             minds_tab(),
             page_view(entities.ABOUT, "About"),
@@ -71,16 +76,16 @@ def grid_columns(worlds: int, bounds: Bounds) -> int:
         rows = math.ceil(worlds / columns)
         return min(width / columns / (x1 - x0), (height / rows - TITLE_HEIGHT) / (y1 - y0))
 
-    return max(range(1, worlds + 1), key=scale)
+    return max(range(1, min(worlds, MOST_COLUMNS) + 1), key=scale)
 
 
 def action_tab(
-    rollouts: Rollouts, index: int, bounds: Bounds, gaps: tuple[float, float]
+    rollouts: Rollouts, index: int, bounds: Bounds, gaps: tuple[float, float], window: Bounds
 ) -> rrb.Container:
     """One action: its world, how its outcomes are distributed, and every single one of them."""
     name = rollouts.names[index]
     paths = counted(rollouts.paths, "rollout")
-    sample = "" if rollouts.paths == rollouts.count else f" of {rollouts.count:,}"
+    sample = "" if rollouts.paths == rollouts.count else f" of {rollouts.count}"
     title = f"{short_label(name)}: {paths}{sample} (bar: {scale_length(bounds):g} m)"
     plots = [
         bars_view(
@@ -100,7 +105,7 @@ def action_tab(
             row_shares=[5, 3],
         ),
         rrb.Vertical(
-            painted_view(entities.dots(name), "Utility of each rollout"),
+            painted_view(entities.UTILITIES, "Utility of each rollout", window),
             rrb.Grid(*plots, grid_columns=2),
             row_shares=[1, 3],
         ),
@@ -111,10 +116,10 @@ def action_tab(
 
 def prospects_tab() -> rrb.Container:
     """What the outcomes of all actions are worth, and all that is known of the actions."""
-    return rrb.Vertical(
+    return rrb.Tabs(
         painted_view(entities.UTILITIES, "What outcomes are worth, and to whom"),
         table_view(entities.ACTIONS, "Actions, a row each", "action"),
-        row_shares=[5, 2],
+        active_tab=0,
         name="Prospects",
     )
 

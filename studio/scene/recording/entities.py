@@ -81,8 +81,3 @@ def gap(name: str) -> str:
 def states(name: str) -> str:
     """What the robots under one action are touching over time."""
     return f"touching/{entity_part(name)}"
-
-
-def dots(name: str) -> str:
-    """The figure of what the outcomes of one action are worth."""
-    return f"figures/actions/{entity_part(name)}"

@@ -1,6 +1,12 @@
-"""What moves in a recording, and how: shared by all that is shown over time."""
+"""What moves in a recording, and how: shared by all that is shown over time.
 
-from collections.abc import Iterable
+Marks answer when hovered. The viewer then shows up to three components of a mark, and nothing but a
+count of more than that; those with a single value for all marks are left out. So a mark tells
+everything in one text, `told`, of which 75 letters are shown; its action stands in the entity's
+path. The same in numbers is a row of the table of outcomes.
+"""
+
+from collections.abc import Iterable, Sequence
 from typing import cast
 
 import numpy as np
@@ -107,9 +113,14 @@ def time_columns(rollouts: Rollouts) -> tuple[rr.TimeColumn, ...]:
     )
 
 
-def path_corners(rollouts: Rollouts) -> IntArray:
+def turn_column(rollouts: Rollouts) -> rr.TimeColumn:
+    """The timeline along which one rollout is shown after the other."""
+    return rr.TimeColumn("rollout", sequence=np.arange(rollouts.paths))
+
+
+def path_corners(rollouts: Rollouts, stride: int = PATH_STRIDE) -> IntArray:
     """The steps through which a path is drawn, the first and the last among them."""
-    return np.unique([*range(0, rollouts.steps, PATH_STRIDE), rollouts.steps])
+    return np.unique([*range(0, rollouts.steps, stride), rollouts.steps])
 
 
 def crosses(centres: FloatArray, reach: float) -> FloatArray:
@@ -118,14 +129,21 @@ def crosses(centres: FloatArray, reach: float) -> FloatArray:
     return lines
 
 
-def squares(centres: FloatArray, reach: float) -> FloatArray:
-    """The outline of a square around each centre [N, 2], [N, 5, 2], m."""
-    lines: FloatArray = centres[:, None] + reach * SQUARE
-    return lines
-
-
 def clear_rollouts_from(stream: rr.RecordingStream, path: str, first: int) -> None:
     """Show nothing of the rollouts from this one on, whose paths are not kept."""
     stream.set_time("rollout", sequence=first)
     stream.log(path, rr.Clear(recursive=True))
     stream.reset_time()
+
+
+def people_told(told: Sequence[str], people: int) -> list[str]:
+    """What the people of each rollout tell, those of the first one first."""
+    rollouts = [words.split(":")[0] for words in told]
+    return [f"person {person} in {each}" for each in rollouts for person in range(people)]
+
+
+def told_by_row(rows: Sequence[Sequence[str]]) -> list[rr.ComponentColumn]:
+    """What marks tell row by row; a single mark tells it twice, or it would not be shown."""
+    doubled = [[*row, *row] if len(row) == 1 else row for row in rows]
+    words = rr.AnyValues.columns(told=[word for row in doubled for word in row])
+    return list(words.partition([len(row) for row in doubled]))

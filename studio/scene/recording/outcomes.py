@@ -55,7 +55,7 @@ def log_actions(
 ) -> None:
     """Keep what is known of the actions: a row an action, with the ends of 95 % intervals."""
     columns: dict[str, Any] = {
-        "action": list(rollouts.names),
+        "name": list(rollouts.names),
         "rollouts": [rollouts.count] * len(rollouts.names),
     }
     for thing, touched in (
@@ -126,6 +126,8 @@ def log_gaps(stream: rr.RecordingStream, rollouts: Rollouts, gap: FloatArray, th
 
 def gap_range(gap: FloatArray) -> tuple[float, float]:
     """What all views of gaps [A, M, T+1] over time show upwards, m."""
+    if not np.isfinite(gap).all():  # among nobody
+        return 0.0, 1.0
     mean, deviation = gap.mean(axis=1), gap.std(axis=1)
     low, high = min(float((mean - deviation).min()), 0.0), float((mean + deviation).max())
     margin = 0.05 * (high - low)

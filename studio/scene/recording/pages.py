@@ -64,9 +64,10 @@ def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
 
 def picks_told(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> list[str]:
     """What each teacher picks, or between which actions it is open, with shares of draws."""
+    names = [short_label(name) for name in rollouts.names]
     return [
         f"* **{each.label}** {'picks' if each.is_sure else 'may pick'} "
-        f"{plain(pick_with_shares(each, rollouts.names))}"
+        f"{plain(pick_with_shares(each, names))}"
         for each in judgements
     ]
 
@@ -294,4 +295,4 @@ def _sample(rollouts: Rollouts) -> str:
     """That the recording shows only some of the rollouts, if it does: the end of a sentence."""
     if rollouts.paths == rollouts.count:
         return ""
-    return f"; paths are shown of a sample of {rollouts.paths} of {rollouts.count:,} rollouts"
+    return f"; paths are shown of a sample of {rollouts.paths} of {rollouts.count} rollouts"

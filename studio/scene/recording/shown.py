@@ -14,17 +14,20 @@ from scenes import Rollouts
 from scenes.scene import PEDESTRIAN_RADIUS, ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.scene.recording import entities
-from studio.scene.recording.answers import told_by_row, told_of_people
 from studio.scene.recording.moving import (
     arrowheads,
     clear_rollouts_from,
     path_corners,
+    people_told,
     rounded,
     time_columns,
+    told_by_row,
+    turn_column,
 )
 from studio.style.palette import Colour, Theme
 
 RIM = 2.0  # width of all lines, px
+WAY_STRIDE = 8  # its path is drawn through every eighth step: within 2 cm of the truth
 
 
 @dataclass(frozen=True)
@@ -61,12 +64,12 @@ def log_shown(
     first = rollouts.contact_step[index, :count]
     # among nobody the gap is infinite at all times, so the first moment is shown
     telling = np.where(first >= 0, first, gap.argmin(axis=1))
-    in_turn = Moments([rr.TimeColumn("rollout", sequence=every)], every, telling)
+    in_turn = Moments([turn_column(rollouts)], every, telling)
     log_looks(stream, path, theme.action_colour(rollouts.names[index]), theme)
     for moments in (Moments(time_columns(rollouts), 0 * along, along), in_turn):
         log_robot(stream, f"{path}/robot", moments, rollouts, index, classes, told)
         if rollouts.scene.pedestrians:
-            log_people(stream, f"{path}/people", moments, rollouts.pedestrians[index], told)
+            log_bystanders(stream, f"{path}/people", moments, rollouts.pedestrians[index], told)
     if count < rollouts.count:
         clear_rollouts_from(stream, path, count)
 
@@ -89,14 +92,14 @@ def log_robot(
         centers=rounded(poses[:, :2]),
         class_ids=classes[which, moments.steps],
     )
-    ways = rounded(robot[:, path_corners(rollouts), :2])[which]
+    ways = rounded(robot[:, path_corners(rollouts, WAY_STRIDE), :2])[which]
     drawn = [line for pair in zip(rounded(arrowheads(poses)), ways, strict=True) for line in pair]
     lines = rr.LineStrips2D.columns(strips=drawn).partition([2] * len(which))
     answers = told_by_row([[told[place]] for place in which])
     stream.send_columns(path, moments.times, [*rims, *lines, *answers])
 
 
-def log_people(
+def log_bystanders(
     stream: rr.RecordingStream, path: str, moments: Moments, people: FloatArray, told: Sequence[str]
 ) -> None:
     """Show the people [M, T+1, P, 2] at each moment."""
@@ -106,7 +109,7 @@ def log_people(
         half_sizes=[(PEDESTRIAN_RADIUS, PEDESTRIAN_RADIUS)] * (count * person_count),
         centers=places.reshape(-1, 2),
     )
-    answers = told_by_row([told_of_people([told[place]], person_count) for place in moments.which])
+    answers = told_by_row([people_told([told[place]], person_count) for place in moments.which])
     rows = [*rims.partition([person_count] * count), *answers]
     stream.send_columns(path, moments.times, rows)
 

@@ -8,8 +8,7 @@ from scenes.scene import ROBOT_RADIUS
 from studio.arrays import Bounds
 from studio.recorder.drawing import y_upwards
 from studio.scene.recording import entities
-from studio.scene.recording.answers import told_of_people
-from studio.scene.recording.moving import rounded, strips
+from studio.scene.recording.moving import people_told, rounded, strips
 from studio.style.palette import Theme, blend
 from studio.style.ticks import round_step
 
@@ -43,7 +42,7 @@ def log_task(stream: rr.RecordingStream, rollouts: Rollouts, theme: Theme) -> No
         centers=centres,
         half_sizes=np.stack([radii, radii], axis=-1),
         colors=theme.ink,
-        line_radii=rr.Radius.ui_points([0.8, 1.2, 1.2]),
+        line_radii=rr.Radius.ui_points(1.0),
         draw_order=22.0,
     )
     told = rr.AnyValues(told=["the robot's start", "its goal", "its goal"])
@@ -76,5 +75,5 @@ def log_without_robot(stream: rr.RecordingStream, rollouts: Rollouts, theme: The
         radii=rr.Radius.ui_points(0.5),
         draw_order=-5.0,
     )
-    told = told_of_people([f"rollout {place} without the robot" for place in range(count)], people)
+    told = people_told([f"rollout {place} without the robot" for place in range(count)], people)
     stream.log(entities.WITHOUT_ROBOT, lines, rr.AnyValues(told=told), static=True)

@@ -22,7 +22,12 @@ from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities
 from studio.scene.recording.actions import log_action
 from studio.scene.recording.blueprint import VIEW_SHAPE, recording_blueprint
-from studio.scene.recording.figures import log_worths, paint_minds, paint_utilities
+from studio.scene.recording.figures import (
+    log_dots_that_answer,
+    paint_minds,
+    paint_utilities,
+    window_on,
+)
 from studio.scene.recording.outcomes import (
     gap_range,
     log_actions,
@@ -55,7 +60,9 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
     rollouts = rollouts.keep_paths(MOST_PATHS)
     versions, theme = package_versions(), LIGHT.of(rollouts.names)
     bounds, gap = bounds_of_shape(rollouts, *VIEW_SHAPE), gap_over_time(rollouts)
-    blueprint = recording_blueprint(rollouts, bounds, gap_range(gap))
+    worths, drawn = paint_utilities(rollouts, judgements, theme)
+    windows = [window_on(drawn, index) for index in range(len(rollouts.actions))]
+    blueprint = recording_blueprint(rollouts, bounds, gap_range(gap), windows)
     with recording_to(path, entities.APPLICATION, identity(rollouts), blueprint) as stream:
         stream.send_recording_name(f"{rollouts.scene.name}, seed {rollouts.seed}")
         log_simulation(stream, rollouts, judgements, bounds, gap, versions, theme)
@@ -64,8 +71,8 @@ def write_recording(path: Path, rollouts: Rollouts, judgements: tuple[Judgement,
         log_touching(stream, rollouts, gap, theme)
         if rollouts.scene.pedestrians:
             log_gaps(stream, rollouts, gap, theme)
-        log_worths(stream, rollouts, judgements, theme)
-        log_figure(stream, entities.UTILITIES, paint_utilities(rollouts, judgements, theme))
+        log_figure(stream, entities.UTILITIES, worths)
+        log_dots_that_answer(stream, rollouts, drawn, theme)
         log_figure(stream, entities.MINDS, paint_minds(rollouts, judgements, theme))
         log_page(stream, entities.SUMMARY, scene_summary(rollouts, judgements))
         log_page(stream, entities.DISAGREEMENTS, disagreements_page(rollouts, judgements))
@@ -88,7 +95,7 @@ def log_simulation(
     log_simulation_properties(stream, rollouts, judgements, versions)
     log_world(stream, rollouts, bounds, theme)
     for index in range(len(rollouts.actions)):
-        log_action(stream, rollouts, judgements, index, gap[index], theme)
+        log_action(stream, rollouts, index, gap[index], theme)
     log_outcomes(stream, rollouts)
     log_judgements(stream, judgements)
 

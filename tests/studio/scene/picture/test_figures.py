@@ -108,6 +108,14 @@ def test_values_come_with_their_intervals_and_a_pick_is_told_from_what_is_open(
     assert filled > 2 * outlined
 
 
+def test_where_rows_are_low_intervals_are_brief_but_right(rollouts: Rollouts) -> None:
+    one = surely(judge(rollouts)[0], [10.04, -10.04, 0.5, -0.5, -0.001, 0.0, 1.5])
+    canvas = Canvas(640, 360, LIGHT.of(NAMES))
+    draw_utilities(canvas, Box(20.0, 20.0, 420.0, 150.0), rollouts, [one] * 2)
+    expected = {"−10.040 [−10.04, −10.04]", "−0.500 [−.50, −.50]", "−0.001 [.00, .00]"}
+    assert expected <= set(texts(canvas))
+
+
 def test_contacts_are_red_and_walls_are_told_from_people(rollouts: Rollouts) -> None:
     never = np.full_like(rollouts.person_step, -1)
     counts = []

@@ -202,7 +202,7 @@ def test_actions_on_which_teachers_disagree_come_first_then_those_with_contacts(
 def test_a_film_of_a_sample_says_so(default):
     rollouts, judgements = default
     few = rollouts.keep_paths(3)
-    page = lay_out_film(few.with_paths(), (1280, 720), of=few.count)
+    page = lay_out_film(few.with_paths(), (1280, 720), sample_of=few.count)
     (canvas,) = play_action(page, few.with_paths(), 0, np.array([0.2]))
     assert any("a sample, 3 of 4 rollouts" in text for text in texts(canvas))
     *_, ending = drawn(few, judgements)
