@@ -1,18 +1,20 @@
 """What Rerun has no view for: learnt functions beside the teacher's, and what marks mean."""
 
+from dataclasses import replace
+
 import rerun as rr
 
 from learners import Teacher
 from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
-from studio.painter.marks import draw_shape
+from studio.painter.pens import pen_mark
 from studio.recorder.figures import log_figure
 from studio.study.picture.minds import draw_shapes
 from studio.study.picture.scales import Scales
 from studio.study.recording import entities
 from studio.study.results import StudyResults
 from studio.study.words import learner_called
-from studio.style.palette import LIGHT, blend, learner_colour, learner_pen
+from studio.style.palette import LIGHT, blend, learner_pen
 
 _PAGE = (2000, 1125)  # of which figures are a corner, and which their type suits, px
 _SHAPES_SIZE = (1200, 470)  # width and height of the figure of learnt functions, px
@@ -45,14 +47,12 @@ def log_key(stream: rr.RecordingStream, results: StudyResults) -> None:
     canvas = Canvas(*_PAGE, LIGHT)
     size, middle = canvas.type.small, 8 + _KEY_LINE / 2
     for learner in results.learners:
-        colour = learner_colour(learner)
-        pale = blend(colour, LIGHT.ground, 0.25)
+        pen = learner_pen(learner)
+        pale = blend(pen.colour, LIGHT.ground, 0.25)
         canvas.fill(Box(16, middle - 13, 96, middle + 13), pale)
-        canvas.line([(16, middle), (96, middle)], colour, 5.0)
-        shape = {"square": "square", "triangle": "triangle", "diamond": "diamond"}.get(
-            learner_pen(learner).marker, "disc"
-        )
-        draw_shape(canvas, shape, (56, middle), 8.0, colour, colour)
+        canvas.line([(16, middle), (96, middle)], pen.colour, 5.0)
+        solid = replace(pen, filled=True)  # as Rerun draws all markers
+        pen_mark(canvas, (56, middle), solid, 8.0, pale)
         said = canvas.abbreviated(learner_called(learner), width - 130, size)
         canvas.text((114, middle), said, size, LIGHT.ink)
         middle += _KEY_LINE
