@@ -95,7 +95,7 @@ def families_tab(results: StudyResults, plots: Plots) -> rrb.Container:
 
     def tab(teacher: Teacher) -> rrb.Container:
         grid = rrb.Grid(*plot_views(results, plots, names, teacher), grid_columns=2)
-        return _beside(grid, page_view(entities.scenes(teacher.name), "Scenes"), None)
+        return _beside(grid, page_view(entities.scenes_about(teacher.name), "Scenes"), None)
 
     return _tab_a_teacher(results, "Families", tab)
 

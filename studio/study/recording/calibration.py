@@ -4,14 +4,12 @@ import numpy as np
 import rerun as rr
 
 from learners import Teacher
-from studio.arrays import FloatArray
 from studio.recorder.plots import log_bars
-from studio.study.fits import Row
+from studio.study.fits import calibration_with_intervals
 from studio.study.recording import entities
 from studio.study.results import StudyResults
 from studio.style.palette import LIGHT, blend, learner_colour
 
-_RESAMPLES = 2000  # draws of seeds, for intervals
 _TICK = 0.012  # width of the bar that marks a prediction
 
 
@@ -25,9 +23,7 @@ def log_calibration(stream: rr.RecordingStream, results: StudyResults, teacher: 
         path, colour = entities.calibration(teacher.name, learner), learner_colour(learner)
         for pairs in results.sizes:
             fits = [
-                fit
-                for fit in results.fits_of(teacher, learner, pairs)
-                if fit["calibration_count"] is not None
+                fit for fit in results.fits_of(teacher, learner, pairs) if fit["calibration_count"]
             ]
             if not fits:
                 continue
@@ -45,25 +41,3 @@ def log_calibration(stream: rr.RecordingStream, results: StudyResults, teacher: 
             told = rr.AnyValues(predicted=predicted, preferred=preferred, low=low, high=high)
             stream.log(f"{path}/1_high", told)
     stream.reset_time()
-
-
-def calibration_with_intervals(
-    fits: list[Row],
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Predicted and preferred share, and the latter's 95 % bootstrap interval over seeds.
-
-    Returns:
-        Four arrays [bins], 0 in bins without predictions. The interval of a single seed is empty.
-    """
-    count, predicted, preferred = (
-        np.nan_to_num(np.array([fit[f"calibration_{what}"] for fit in fits], dtype=np.float64))
-        for what in ("count", "predicted", "preferred")
-    )  # (seeds, bins)
-    draws = np.random.default_rng(0).multinomial(
-        len(fits), np.full(len(fits), 1.0 / len(fits)), _RESAMPLES
-    )
-    total = np.maximum(count.sum(axis=0), 1.0)
-    drawn = (draws @ (count * preferred)) / np.maximum(draws @ count, 1.0)
-    low, high = np.quantile(drawn, (0.025, 0.975), axis=0)
-    means = ((count * each).sum(axis=0) / total for each in (predicted, preferred))
-    return (*means, low, high)

@@ -24,7 +24,7 @@ def page(teacher: str) -> str:
     return f"pages/{entity_part(teacher)}"
 
 
-def scenes(teacher: str) -> str:
+def scenes_about(teacher: str) -> str:
     """The page of the scenes that tell most about who learned from a teacher."""
     return f"scenes/{entity_part(teacher)}"
 

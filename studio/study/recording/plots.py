@@ -3,15 +3,14 @@
 Where a plot is of regrets, it shows their decimal logarithms, since Rerun has no logarithmic axes.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from operator import itemgetter
-from typing import Any
 
 import numpy as np
 import rerun as rr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from rerun import escape_entity_path_part as entity_part
 
 from learners import FEATURES, PARAMETER_COLUMNS, CptParameters, Curve, Teacher, unit_vector
@@ -20,6 +19,7 @@ from studio.recorder.plots import log_bands
 from studio.study.recording import entities
 from studio.study.regret import RegretRange
 from studio.study.results import StudyResults
+from studio.study.series import along, seeds_along
 from studio.study.words import learner_called, short_teacher_name
 from studio.style.palette import LIGHT, Colour, blend, learner_pen
 from studio.style.words import short
@@ -105,7 +105,7 @@ def _plots_of(results: StudyResults, teacher: Teacher) -> Iterator[tuple[str, Pa
     yield plot(REGRET, "log10 of regret, %", curves("regret_percent"), logarithm)
     percents = [curve.mapped(lambda share: 100.0 * share) for curve in curves("agreement")]
     yield plot(AGREEMENT, "best picks, %", percents)
-    attained = [_along(curve, sizes, curve.mean) for curve in curves("nll_teacher")[:1]]
+    attained = [along(curve, sizes, curve.mean) for curve in curves("nll_teacher")[:1]]
     losses = curves("nll")
     yield plot(LIKELIHOOD, "log-loss, nats", losses, truth=next(iter(attained), None))
     truths = [*unit_vector(teacher.reward), *teacher.parameters.numbers]
@@ -141,125 +141,88 @@ def _logarithm(regrets: RegretRange) -> Place:
     return lambda values: np.asarray(np.log10(np.maximum(values, 0.5 * regrets.start)))
 
 
-@dataclass(frozen=True)
-class _Marks:
-    """Marks of a plot that look alike: lines, or rows of dots."""
+Marks = Sequence[tuple[str, str, Colour, float, float]]
+"""Whose each mark is (empty for the teacher), what it is, its colour, width, and size, px.
 
-    words: list[str]  # what each of N is
-    learners: list[str]  # whose it is; empty for the teacher
-    colours: list[Colour]
-    width: float  # of lines, px; 0 for none
-    size: float  # of dots, about their radius, px; 0 for none
-    sides: list[FloatArray]  # numbers [sizes, N], then perhaps both ends of their intervals
-
-    @property
-    def told(self) -> NDArray[np.str_]:
-        """The numbers with their intervals in words, [sizes, N]; empty where there is none."""
-        return np.array([[_told(each) for each in row] for row in np.stack(self.sides, axis=-1)])
+Widths are those of lines, sizes about the radii of dots; 0 stands for none.
+"""
 
 
 def log_pair_plot(stream: rr.RecordingStream, results: StudyResults, plot: PairPlot) -> None:
     """Add a plot to a recording: means and, below them, bands for their intervals, seeds, truth.
 
-    Plots of regret, of which one seed may carry the mean, also have interquartile means. Beside the
-    marks stands in words what they are: numbers would be plotted, too.
+    Plots of regret, of which one seed may carry the mean, also have interquartile means.
     """
-    curves, ground = plot.curves, LIGHT.ground
+    curves = plot.curves
     learners = [curve.learner for curve in curves]
-    colours = [learner_pen(learner).colour for learner in learners]
+    pens = [learner_pen(learner).colour for learner in learners]
 
-    def sides(*names: str) -> list[FloatArray]:
-        return [
-            np.stack([_along(curve, results.sizes, getattr(curve, each)) for curve in curves], 1)
-            for each in names
+    def sides(*names: str) -> FloatArray:
+        """What the curves have of these names, [names, sizes, learners]."""
+        of_names = [
+            [along(each, results.sizes, getattr(each, name)) for each in curves] for name in names
         ]
+        return np.array(of_names).transpose(0, 2, 1)
 
-    found = [_seeds(results, curve) for curve in curves]
-    whose = [
-        (learner, seed) for learner, (own, _) in zip(learners, found, strict=True) for seed in own
-    ]
-    own = [learner for learner, _ in whose]
-    pale = [blend(learner_pen(learner).colour, ground, 0.6) for learner in own]
-    numbers = [np.concatenate([each for _, each in found], axis=1)]
-    marks = [_Marks([f"seed {seed}" for _, seed in whose], own, pale, 0.0, 1.8, numbers)]
+    marks: list[tuple[str, str, Colour, float, float]] = []
+    numbers: list[FloatArray] = []  # [3, sizes, marks]: each with the ends of its interval, if any
+    for curve, colour in zip(curves, pens, strict=True):
+        seeds, found = seeds_along(results, curve)
+        pale = blend(colour, LIGHT.ground, 0.6)
+        marks += [(curve.learner, f"seed {seed}", pale, 0.0, 1.8) for seed in seeds]
+        numbers.append(np.stack([found] * 3))
     if plot.truth is not None:
-        marks.append(_Marks(["truth"], [""], [LIGHT.ink], 1.5, 0.0, [plot.truth[:, None]]))
+        marks.append(("", "truth", LIGHT.ink, 1.5, 0.0))
+        numbers.append(np.stack([plot.truth[:, None]] * 3))
     if plot.place is not np.asarray:
-        thin = [blend(colour, LIGHT.ink, 0.6) for colour in colours]
-        numbers = sides("middle", "middle_low", "middle_high")
-        words = ["interquartile mean"] * len(curves)
-        marks.append(_Marks(words, learners, thin, 1.0, 0.0, numbers))
+        thin = [blend(colour, LIGHT.ink, 0.6) for colour in pens]
+        names = ["interquartile mean"] * len(curves)
+        marks += [(*each, 1.0, 0.0) for each in zip(learners, names, thin, strict=True)]
+        numbers.append(sides("middle", "middle_low", "middle_high"))
     means = sides("mean", "low", "high")
-    marks.append(_Marks(["mean"] * len(curves), learners, colours, 2.5, 3.5, means))
-
-    every = [
-        (learner, words, colour, each)
-        for each in marks
-        for learner, words, colour in zip(each.learners, each.words, each.colours, strict=True)
+    marks += [
+        (*each, 2.5, 3.5) for each in zip(learners, ["mean"] * len(curves), pens, strict=True)
     ]
-    look: dict[str, Any] = {
-        "names": [
-            f"{learner_called(name) if name else 'teacher'}: {words}" for name, words, *_ in every
-        ],
-        "colors": [colour for *_, colour, _ in every],
-    }
+    _log_marks(stream, results, plot, marks, np.concatenate([*numbers, means], axis=2))
+    low, high = plot.place(means[1]), plot.place(means[2])
+    names = [f"{learner_called(learner)}: 95 % interval of the mean" for learner in learners]
+    times = [rr.TimeColumn(entities.TIMELINE, sequence=results.sizes)]
+    path, middle, reach = f"{plot.path}/interval", (low + high) / 2, (high - low) / 2
+    log_bands(stream, path, times, middle, reach, names, pens, width=0.0)
+
+
+def _log_marks(
+    stream: rr.RecordingStream,
+    results: StudyResults,
+    plot: PairPlot,
+    marks: Marks,
+    numbers: FloatArray,
+) -> None:
+    """Add marks and their numbers with the ends of their intervals, [3, sizes, marks].
+
+    Beside the marks stands in words what they are: numbers would be plotted, too.
+    """
+    learners, words, colours, widths, sizes = zip(*marks, strict=True)
+    called = [learner_called(learner) if learner else "teacher" for learner in learners]
+    names = [f"{name}: {each}" for name, each in zip(called, words, strict=True)]
+    markers = [_MARKERS[learner_pen(learner).marker] for learner in learners]
     stream.log(
         plot.path,
-        rr.SeriesLines(**look, widths=[each.width for *_, each in every]),
-        rr.SeriesPoints(
-            **look,
-            markers=[_MARKERS[learner_pen(learner).marker] for learner, *_ in every],
-            marker_sizes=[each.size for *_, each in every],
-        ),
-        rr.AnyValues(
-            teacher=curves[0].teacher,
-            learner=[learner for learner, *_ in every],
-            what=[words for _, words, *_ in every],
-        ),
+        rr.SeriesLines(colors=colours, names=names, widths=widths),
+        rr.SeriesPoints(colors=colours, names=names, markers=markers, marker_sizes=sizes),
+        rr.AnyValues(teacher=plot.curves[0].teacher, learner=learners, what=words),
         static=True,
     )
-    places = plot.place(np.concatenate([each.sides[0] for each in marks], axis=1))
-    told = np.concatenate([each.told for each in marks], axis=1)
-    lengths = [len(every)] * len(places)
+    lengths = [len(marks)] * numbers.shape[1]
+    told = [_told(*each) for each in numbers.reshape(3, -1).T.tolist()]
+    scalars = rr.Scalars.columns(scalars=plot.place(numbers[0]).ravel()).partition(lengths)
+    values = rr.AnyValues.columns(value=told).partition(lengths)
     times = [rr.TimeColumn(entities.TIMELINE, sequence=results.sizes)]
-    stream.send_columns(
-        plot.path,
-        times,
-        [
-            *rr.Scalars.columns(scalars=places.ravel()).partition(lengths),
-            *rr.AnyValues.columns(value=told.ravel().tolist()).partition(lengths),
-        ],
-    )
-    low, high = (plot.place(side) for side in means[1:])
-    names = [f"{learner_called(learner)}: 95 % interval of the mean" for learner in learners]
-    path, middle, reach = f"{plot.path}/interval", (low + high) / 2, (high - low) / 2
-    log_bands(stream, path, times, middle, reach, names, colours, width=0.0)
+    stream.send_columns(plot.path, times, [*scalars, *values])
 
 
-def _told(numbers: FloatArray) -> str:
+def _told(value: float, low: float, high: float) -> str:
     """A number, and its interval if it has one, in words; nothing if there is none."""
-    value, *ends = numbers.tolist()
     if not np.isfinite(value):
         return ""
-    return f"{value:.3g}" + (" [{:.3g}, {:.3g}]".format(*ends) if len(set(ends)) > 1 else "")
-
-
-def _along(curve: Curve, sizes: tuple[int, ...], numbers: FloatArray) -> FloatArray:
-    """Numbers of a curve after each of these sizes, not a number where the curve has no point."""
-    found = np.full(len(sizes), np.nan)
-    found[np.searchsorted(sizes, curve.pairs)] = numbers
-    return found
-
-
-def _seeds(results: StudyResults, curve: Curve) -> tuple[list[int], FloatArray]:
-    """The seeds of a curve, and their numbers after each size of the study, [sizes, seeds]."""
-    numbers: dict[tuple[int, int], float] = {}
-    (teacher,) = (each for each in results.teachers if each.name == curve.teacher)
-    for size, samples in zip(curve.pairs.tolist(), curve.samples, strict=True):
-        seeds = [fit["seed"] for fit in results.fits_of(teacher, curve.learner, size)]
-        if len(seeds) != len(samples):  # some seed has nothing in the column
-            seeds = list(range(len(samples)))
-        numbers |= {(size, seed): number for seed, number in zip(seeds, samples, strict=True)}
-    found = sorted({seed for _, seed in numbers})
-    rows = [[numbers.get((size, seed), np.nan) for seed in found] for size in results.sizes]
-    return found, np.array(rows, dtype=np.float64)
+    return f"{value:.3g}" + (f" [{low:.3g}, {high:.3g}]" if low != high else "")

@@ -18,7 +18,7 @@ _NAMED = ("teacher", "learner", "pairs")  # columns that entity path and time te
 _WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")  # whole numbers
 _QUALITIES = ("regret_percent", "agreement", "theta_cosine", "nll")
 _OF_FITS = (*_NAMED, "seed", *_QUALITIES, *PARAMETER_COLUMNS)  # columns of the table of fits
-_DECIMALS = 4  # of the numbers in tables; those of the fits are exact
+_DECIMALS = 3  # of the numbers in tables; those of the fits are exact
 
 
 def log_fits(stream: rr.RecordingStream, results: StudyResults) -> None:
@@ -95,8 +95,13 @@ def _scene_rows(results: StudyResults) -> Iterator[Row]:
                 scene = results.scenes[number]
                 percents = results.percents(teacher, scene.family, regrets.regret[place])
                 yield {
-                    **{"teacher": teacher.name, "learner": learner, "scene": number},
-                    **{"family": scene.family, "pattern": scene.pattern},
-                    **{"best": scene.best[teacher.name], "pick": regrets.picks[place]},
-                    **{"seeds": int(regrets.runs[place]), "regret_percent": float(percents)},
+                    "teacher": teacher.name,
+                    "learner": learner,
+                    "scene": number,
+                    "family": scene.family,
+                    "pattern": scene.pattern,
+                    "teacher_picks": scene.best[teacher.name],
+                    "learner_picks": regrets.picks[place],
+                    "seeds": int(regrets.runs[place]),
+                    "regret_percent": float(percents),
                 }

@@ -16,6 +16,7 @@ import tomli_w
 
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.stream import recording_to
+from studio.study.again import study_command
 from studio.study.links import Links
 from studio.study.picture.scales import Scales
 from studio.study.recording import entities
@@ -24,7 +25,6 @@ from studio.study.recording.calibration import log_calibration
 from studio.study.recording.pages import (
     about_study_page,
     scenes_page,
-    study_command,
     study_summary_page,
     teacher_page,
 )
@@ -77,7 +77,7 @@ def write_study_recording(
             )
             if results.scenes:
                 page = partial(scenes_page, results, links or {}, teacher)
-                _log_changing_page(stream, results, entities.scenes(name), page)
+                _log_changing_page(stream, results, entities.scenes_about(name), page)
         log_page(stream, entities.SUMMARY, study_summary_page(results))
         log_page(stream, entities.ABOUT, about_study_page(results, settings, versions))
 

@@ -25,8 +25,8 @@ from learners import (
     scene_regrets,
     telling_scenes,
 )
+from studio.study.fits import calibration_with_intervals
 from studio.study.links import SceneLink
-from studio.study.recording.calibration import calibration_with_intervals
 from studio.study.recording.write import SCHEMA_VERSION, write_study_recording
 from studio.study.results import StudyResults
 from tests.studio.study.tables import RANDOM_REGRET, THREE, study_table, table_with_a_gap
@@ -200,12 +200,14 @@ def test_every_fit_and_held_out_scene_has_its_row_in_a_table(
     fits = entities["/tables/fits"]
     assert fits["row"] == list(range(table.num_rows))
     regrets = np.array(fits["regret_percent"]).ravel()
-    np.testing.assert_allclose(regrets, table["regret_percent"].to_numpy(), atol=1e-4)
+    np.testing.assert_allclose(regrets, table["regret_percent"].to_numpy(), atol=1e-3)
     scenes = entities["/tables/scenes"]
     expected = [each for each in scene_regrets(table) if each.pairs == SIZES[-1]]
     assert len(scenes["row"]) == sum(len(each.scenes) for each in expected)
     (whose,) = (each for each in expected if (each.teacher, each.learner) == ("tk", "cpt"))
-    rows = zip(*(scenes[name] for name in ("teacher", "learner", "scene", "pick")), strict=True)
+    rows = zip(
+        *(scenes[name] for name in ("teacher", "learner", "scene", "learner_picks")), strict=True
+    )
     found = {row[2][0]: row[3][0] for row in rows if (row[0], row[1]) == (["tk"], ["cpt"])}
     assert found == dict(zip(whose.scenes.tolist(), whose.picks, strict=True))
 
@@ -222,7 +224,7 @@ def test_the_table_of_learners_has_means_with_their_intervals(
         ("middle_high", "middle_high"),
     ):
         expected = np.concatenate([getattr(curve, side) for curve in curves])
-        np.testing.assert_allclose(np.ravel(rows[name]), expected, atol=1e-4)
+        np.testing.assert_allclose(np.ravel(rows[name]), expected, atol=1e-3)
 
 
 def test_bars_of_calibration_reach_to_the_ends_of_the_interval(
