@@ -9,7 +9,8 @@ from studio.recorder.figures import painted_view
 from studio.recorder.plots import bars_view, curves_view, table_view
 from studio.recorder.views import opening, page_view
 from studio.study.recording import entities
-from studio.study.recording.plots import (
+from studio.study.results import StudyResults
+from studio.study.series import (
     AGREEMENT,
     LIKELIHOOD,
     PARAMETERS,
@@ -19,7 +20,6 @@ from studio.study.recording.plots import (
     family_plot,
     plot_range,
 )
-from studio.study.results import StudyResults
 from studio.study.words import short_teacher_name
 from studio.style.words import learner_name
 
@@ -136,7 +136,7 @@ def plot_views(
     families = [family_plot(family) for family in results.families]
     return [
         curves_view(
-            plot.path,
+            entities.curves(each.name, name),
             plot.title,
             y_range=plot_range(plots, families if name in families else [name]),
             numbers=(first - margin, last + margin),

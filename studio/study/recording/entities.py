@@ -36,7 +36,8 @@ def fits(teacher: str, learner: str) -> str:
 
 def curves(teacher: str, name: str) -> str:
     """A plot of what was learned from a teacher, over the number of pairs."""
-    return f"curves/{entity_part(teacher)}/{name}"
+    parts = (entity_part(part) for part in (teacher, *name.split("/")))
+    return f"curves/{'/'.join(parts)}"
 
 
 def shapes(teacher: str) -> str:

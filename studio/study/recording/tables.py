@@ -1,6 +1,5 @@
 """The numbers of a recording of a study: every fit to be read back, and tables to be looked at."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from studio.recorder.plots import log_rows
 from studio.study.fits import Row
 from studio.study.recording import entities
 from studio.study.results import StudyResults
+from studio.study.rows import learner_rows, scene_rows
 
 _NAMED = ("teacher", "learner", "pairs")  # columns that entity path and time tell
 _WHOLE = ("seed", "repeated", "steps", "calibration_count", "held_out_scenes")  # whole numbers
@@ -50,9 +50,9 @@ def log_tables(stream: rr.RecordingStream, results: StudyResults) -> None:
     """Add tables of the learners' means with their intervals, of all fits, and of the scenes."""
     fits = [{column: fit[column] for column in _OF_FITS} for fit in results.fits]
     tables = {
-        entities.LEARNER_TABLE: list(_learner_rows(results)),
+        entities.LEARNER_TABLE: list(learner_rows(results)),
         entities.FIT_TABLE: fits,
-        entities.SCENE_TABLE: list(_scene_rows(results)),
+        entities.SCENE_TABLE: list(scene_rows(results)),
     }
     for path, rows in tables.items():
         if rows:
@@ -68,40 +68,3 @@ def _columns(rows: list[Row]) -> dict[str, NDArray[Any]]:
         elif not pa.types.is_null(column.type):
             columns[name] = np.array(column.to_pylist())
     return columns
-
-
-def _learner_rows(results: StudyResults) -> Iterator[Row]:
-    """A row a teacher, learner and number of pairs: means, and the ends of their intervals."""
-    for curve in results.curves("regret_percent"):
-        for place, pairs in enumerate(curve.pairs.tolist()):
-            row: Row = {"teacher": curve.teacher, "learner": curve.learner, "pairs": pairs}
-            for name, side in (("", "mean"), ("_low", "low"), ("_high", "high")):
-                row[f"regret_percent{name}"] = float(getattr(curve, side)[place])
-                row[f"middle{name}"] = float(getattr(curve, f"middle{name}")[place])
-                for other in results.curves("agreement"):
-                    if (other.teacher, other.learner) == (curve.teacher, curve.learner):
-                        row[f"agreement{name}"] = float(getattr(other.at(pairs), side))
-            yield row
-
-
-def _scene_rows(results: StudyResults) -> Iterator[Row]:
-    """A row a teacher, learner and held-out scene, after the most pairs."""
-    for teacher in results.teachers:
-        for learner in results.learners:
-            regrets = results.scene_regrets(teacher, learner, results.sizes[-1])
-            if regrets is None or not results.scenes:
-                continue
-            for place, number in enumerate(regrets.scenes.tolist()):
-                scene = results.scenes[number]
-                percents = results.percents(teacher, scene.family, regrets.regret[place])
-                yield {
-                    "teacher": teacher.name,
-                    "learner": learner,
-                    "scene": number,
-                    "family": scene.family,
-                    "pattern": scene.pattern,
-                    "teacher_picks": scene.best[teacher.name],
-                    "learner_picks": regrets.picks[place],
-                    "seeds": int(regrets.runs[place]),
-                    "regret_percent": float(percents),
-                }

@@ -29,9 +29,10 @@ from studio.study.recording.pages import (
     teacher_page,
 )
 from studio.study.recording.painted import log_key, log_shapes
-from studio.study.recording.plots import log_pair_plot, study_plots
+from studio.study.recording.plots import log_pair_plot
 from studio.study.recording.tables import log_fits, log_tables
 from studio.study.results import StudyResults
+from studio.study.series import study_plots
 
 SCHEMA_VERSION = 3
 """Edition of the layout that `recordings/README.md` describes."""
@@ -65,8 +66,8 @@ def write_study_recording(
         log_fits(stream, results)
         log_tables(stream, results)
         log_key(stream, results)
-        for plot in plots.values():
-            log_pair_plot(stream, results, plot)
+        for (name, teacher_name), plot in plots.items():
+            log_pair_plot(stream, results, entities.curves(teacher_name, name), plot)
         for teacher in results.teachers:
             log_calibration(stream, results, teacher)
             if results.shaped:
