@@ -8,7 +8,9 @@ import time
 from pathlib import Path
 from statistics import median
 
+from studio.made.results import Recorded
 from studio.orchestrator import Studio
+from studio.scene.recording.write import MOST_PATHS
 
 STUDIO = [sys.executable, "-m", "studio"]
 
@@ -35,14 +37,25 @@ def main() -> None:
         print(f"{' '.join(record[:3])}, first: {waited(record, 1, cache):.1f} s (wanted: 40 s)")
         print(f"{' '.join(record[:3])}, later: {waited(record, 5, cache):.1f} s (wanted: 7 s)")
 
-        recorded = Studio(folder).record("doorway", png=False, mp4=False)
-        rollouts = recorded.rollouts
-        numbers = rollouts.robot.size + rollouts.pedestrians.size + rollouts.without_robot.size
-        size, raw = recorded.files[0].stat().st_size, 4 * numbers
-        print(
-            f"recording: {size / 1e6:.2f} MB, {size / raw:.2f} times its {numbers:,} poses and "
-            f"positions as float32 (wanted: 1.2)"
-        )
+        for rollouts in (50, 5000):
+            recorded = Studio(folder).record(
+                "doorway", rollouts=rollouts, png=False, mp4=False, force=True
+            )
+            size, numbers = recorded.files[0].stat().st_size, numbers_in(recorded)
+            allowed = 1.2 * 4 * numbers + 1.5e6
+            print(
+                f"recording of {rollouts} rollouts: {size / 1e6:.2f} MB, for {numbers:,} numbers "
+                f"(wanted: 1.2 times them as float32 and 1.5 MB, {allowed / 1e6:.2f} MB)"
+            )
+
+
+def numbers_in(recorded: Recorded) -> int:
+    """How many numbers a recording keeps: poses, positions, outcomes, those held against."""
+    rollouts = recorded.rollouts.keep_paths(MOST_PATHS)
+    paths = rollouts.robot.size + rollouts.pedestrians.size + rollouts.without_robot.size
+    outcomes = rollouts.features.size + rollouts.person_step.size + rollouts.wall_step.size
+    reference = recorded.judgements[0].reference
+    return paths + outcomes + (reference.utilities.size if reference else 0)
 
 
 if __name__ == "__main__":

@@ -15,16 +15,15 @@ import click
 import numpy as np
 
 from scenes import FAMILIES, META_ACTIONS, Scene, scene_to_toml, simulate
-from scenes.errors import InputError
 from studio.scene.judgements import Judgement, judge, utilities
 from studio.scene.sources import numbered_scene
 from studio.scene.words import pick_with_shares
 
-NUMBERS = 40  # of each family and pattern, from 0 on
+NUMBERS = 12  # of each family and pattern, from 0 on
 FEW, MANY = 50, 2000  # rollouts of each action
 POOL = 400  # rollouts that a scene is scored by
 SURE = 0.975  # share of draws that must lead to each pick; more than 95 %, since POOL is small
-STEP = 0.25  # by how much a person is moved, standard deviation, m
+STEPS = (0.1, 0.3, 1.0)  # by how much a person is moved, standard deviations, m
 MOST_STEPS = 1500
 LEAD = Path(__file__).with_name("lead_scene.toml")
 
@@ -59,7 +58,7 @@ def climb(scene: Scene, best: float) -> tuple[Scene, tuple[Judgement, ...]] | No
         try:
             moved = with_one_moved(scene, rng)
             rated = score(moved)
-        except InputError:  # somebody would stand in a wall
+        except ValueError:  # somebody would stand in a wall
             continue
         if rated > best:
             click.echo(f"  {step}: {rated:.3f}")
@@ -71,7 +70,7 @@ def with_one_moved(scene: Scene, rng: np.random.Generator) -> Scene:
     """The scene with one person's start and goal moved by the same random way."""
     people = [*scene.pedestrians]
     index = int(rng.integers(len(people)))
-    x, y = np.round(STEP * rng.standard_normal(2), 2).tolist()
+    x, y = np.round(rng.choice(STEPS) * rng.standard_normal(2), 2).tolist()
     person = people[index]
     (start_x, start_y), (goal_x, goal_y) = person.start, person.goal
     people[index] = replace(person, start=(start_x + x, start_y + y), goal=(goal_x + x, goal_y + y))

@@ -90,6 +90,7 @@ class Studio:
         other: str,
         seed: int = 0,
         *,
+        names: bool = False,
         png: bool = True,
         mp4: bool = True,
         name: str | None = None,
@@ -98,8 +99,9 @@ class Studio:
     ) -> Compared:
         """Put two actions of a scene side by side; write recording, picture and film.
 
-        The further arguments are those of `record`; the seed is also that of which action comes to
-        the left.
+        They are for a person who is to choose, and therefore tell neither which action is on which
+        side, nor what the teachers think of it, unless `names` says so. The further arguments are
+        those of `record`; the seed is also that of which action comes to the left.
 
         Raises:
             InputError: if there is no such scene or action, a setting is not allowed
@@ -107,15 +109,16 @@ class Studio:
                 files' names.
         """
         from scenes import META_ACTIONS
-        from studio.comparison.comparison import check_two, side_by_side
+        from studio.comparison.comparison import check_two, side_by_side, words_of_pair
 
         check_two(one, other, [each.name for each in settings.get("actions", META_ACTIONS)])
         found = self._find(scene, seed)
-        usual = file_name(*words_of(found, seed), one, other)
+        usual = file_name(*words_of(found, seed), *words_of_pair(one, other, names))
         name = usual if name is None else checked_name(name)
         files = files_of(self.out / name, png, mp4)
         with recording_into(files, force, self.progress) as part:
-            comparison = side_by_side(self._simulate(found, seed, settings), one, other, seed)
+            rollouts = self._simulate(found, seed, settings)
+            comparison = side_by_side(rollouts, one, other, seed, named=names)
 
             from studio.comparison.recording.write import write_comparison_recording
             from studio.scene.judgements import judge

@@ -57,15 +57,18 @@ def record(out: Path, no_png: bool, no_mp4: bool, **given: Any) -> None:
 @main.command()
 @click.argument("one")
 @click.argument("other")
+@click.option("--names", is_flag=True, help="Tell which action is where, and who values it how.")
 @scene_options
 @simulation_options
 @file_options
 def compare(one: str, other: str, out: Path, no_png: bool, no_mp4: bool, **given: Any) -> None:
     """Put two actions of a scene side by side: which would you rather the robot did?
 
-    For example `studio compare --scene doorway forward slow_down`. Writes OUT/NAME-ONE-OTHER.rrd,
-    .png and .mp4, in which every outcome of both actions plays, one after the other, with the same
-    people and the same luck on both sides. The seed chooses the sides.
+    For example `studio compare --scene doorway forward slow_down`. Every outcome of both actions
+    plays, one after the other, with the same people and the same luck on both sides. The seed
+    chooses the sides, and nobody is told which action is where: not by OUT/NAME-compare-DIGEST.rrd,
+    .png and .mp4, nor by the terminal. With --names, the actions stand in the picture, and the
+    files are called NAME-ONE-OTHER.
     """
     from studio.cli.reports import compared_report
 

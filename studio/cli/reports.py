@@ -13,6 +13,7 @@ from studio.style.words import action_label, contacts_told, counted, estimate_to
 if TYPE_CHECKING:
     from scenes.bank import BankPlan
     from studio.made.results import Compared, Learned, Recorded
+    from studio.scene.judgements import Judgement
 
 
 def families_report() -> list[str]:
@@ -44,7 +45,7 @@ def recorded_report(recorded: Recorded) -> list[str]:
 
     The first table tells people and walls apart, the second has a column a teacher.
     """
-    from studio.scene.words import bias_told, contact_told, draws_told, pick_with_shares
+    from studio.scene.words import contact_told
 
     rollouts, judgements = recorded.rollouts, recorded.judgements
     labels = [action_label(name) for name in rollouts.names]
@@ -54,7 +55,14 @@ def recorded_report(recorded: Recorded) -> list[str]:
     for index, label in enumerate(labels):
         counts = "".join(f"{each[index].sum():>8}" for each in (people, walls))
         lines.append(f"{label:<{width}}{counts}  {contact_told(rollouts, index)}")
-    lines += ["", f"{'value V to':<{width}}" + "".join(f"{who.label:<24}" for who in judgements)]
+    lines += ["", *_values_lines(judgements, labels, width)]
+    lines += ["", *_picks_lines(judgements, rollouts.names, rollouts.count, width)]
+    return [line.rstrip() for line in lines] + files_report(recorded.files)
+
+
+def _values_lines(judgements: Sequence[Judgement], labels: Sequence[str], width: int) -> list[str]:
+    """The value of every action to every teacher with its interval, a column a teacher."""
+    lines = [f"{'value V to':<{width}}" + "".join(f"{who.label:<24}" for who in judgements)]
     ends = [(judgement.low, judgement.high) for judgement in judgements]
     for index, label in enumerate(labels):
         told = (
@@ -62,25 +70,45 @@ def recorded_report(recorded: Recorded) -> list[str]:
             for judgement, (low, high) in zip(judgements, ends, strict=True)
         )
         lines.append(f"{label:<{width}}" + "".join(f"{text:<24}" for text in told))
-    lines += ["", "picks"]
+    return lines
+
+
+def _picks_lines(
+    judgements: Sequence[Judgement], names: Sequence[str], count: int, width: int
+) -> list[str]:
+    """Who picks what among actions of these names, and how sure `count` rollouts make that."""
+    from studio.scene.words import bias_told, draws_told, pick_with_shares
+
+    lines = ["picks"]
     for judgement in judgements:
-        picked = pick_with_shares(judgement, rollouts.names)
+        picked = pick_with_shares(judgement, names)
         lines.append(f"{judgement.label:<{width}}{'' if judgement.is_sure else 'open: '}{picked}")
-    lines += ["", draws_told(judgements, rollouts.count)]
-    lines += filter(None, [bias_told(judgements, rollouts.names, rollouts.count)])
-    return [line.rstrip() for line in lines] + files_report(recorded.files)
+    lines += ["", draws_told(judgements, count)]
+    return [*lines, *filter(None, [bias_told(judgements, names, count)])]
 
 
 def compared_report(compared: Compared) -> list[str]:
-    """Which action is on which side, and its contacts."""
-    rollouts = compared.comparison.rollouts
-    lines = [
-        f"{side}  {action_label(name):<16}{contacts_told(touched, rollouts.count, rollouts.count)}"
-        for side, name, touched in zip(
-            SIDES, rollouts.names, rollouts.touched.sum(axis=1), strict=True
-        )
+    """How often there is contact on each side; by name, also which action it is and its value."""
+    from studio.comparison.words import contacts_in_detail
+    from studio.scene.measures import PERSON, WALL, contact_kinds
+
+    comparison, judgements = compared.comparison, compared.judgements
+    shown, kinds = comparison.shown, contact_kinds(comparison.rollouts)
+    labels = [
+        f"{side}  {action_label(name)}" if comparison.named else side
+        for side, name in zip(SIDES, shown.names, strict=True)
     ]
-    return lines + files_report(compared.files)
+    width = max(16, *(len(label) + 2 for label in labels)) if comparison.named else 3
+    lines = []
+    for index, label in enumerate(labels):
+        people, walls = (int((kinds[index] == kind).sum()) for kind in (PERSON, WALL))
+        counted = contacts_told(people + walls, shown.count, shown.count)
+        detail = contacts_in_detail(people, walls, shown.count)[0]
+        lines.append(f"{label:<{width}}{counted}: {detail}")
+    if comparison.named:
+        lines += ["", *_values_lines(judgements, labels, width)]
+        lines += ["", *_picks_lines(judgements, shown.names, shown.count, width)]
+    return [line.rstrip() for line in lines] + files_report(compared.files)
 
 
 def learned_report(learned: Learned) -> list[str]:

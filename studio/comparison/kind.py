@@ -48,7 +48,9 @@ class ComparisonRecording(Recording):
         from studio.comparison.picture.film import compose_comparison_film
 
         excerpt.refuse_actions("a comparison")
-        span = excerpt.span(1, self.comparison.rollouts.count)
+        from studio.comparison.picture.page import MOST_PLAYED
+
+        span = excerpt.span(1, min(self.comparison.rollouts.paths, MOST_PLAYED))
         rate = look.frames_per_second
         return compose_comparison_film(self.comparison, size, rate, look.colours, span)
 

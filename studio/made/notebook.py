@@ -33,7 +33,7 @@ def page_of(recording: Recording, lines: Sequence[str]) -> str:
 
 def image_of(pixels: PixelArray, alternative: str) -> str:
     """A picture [height, width, 3] as HTML, and what is told to those who cannot see it."""
-    from studio.recorder.figures import palette_png
+    from studio.style.png import palette_png
 
     source = f"data:image/png;base64,{b64encode(palette_png(pixels)).decode()}"
     return f'<img src="{source}" alt="{escape(alternative)}" style="max-width: 100%">'
@@ -58,7 +58,7 @@ def show_inline(path: Path, width: int | None, height: int) -> None:
 
     viewer = Viewer(width="auto" if width is None else width, height=height)
     viewer.send_rrd(path.read_bytes())
-    display(viewer)
+    display(viewer)  # type: ignore[no-untyped-call]
 
 
 def register_pictures() -> None:

@@ -15,6 +15,7 @@ import rerun as rr
 from numpy.typing import ArrayLike
 
 from studio.arrays import FloatArray
+from studio.recorder.views import y_upwards as y_upwards
 from studio.style.palette import LIGHT, Colour
 
 GROUND = "ground"
@@ -119,11 +120,6 @@ class Drawing:
         self.lines.append(places)
         self.colours.append(colour)
         self.radii.append(radius)
-
-
-def y_upwards() -> rr.Transform3D:
-    """The transform of an entity below which y counts upwards; on screens it counts downwards."""
-    return rr.Transform3D(scale=[1.0, -1.0, 1.0])
 
 
 def log_ground(stream: rr.RecordingStream) -> None:

@@ -9,13 +9,9 @@ from typing import Literal
 
 import rerun as rr
 import rerun.blueprint as rrb
-from rerun.encodings import EntityPathLike
 
 from studio.arrays import Bounds
 from studio.style.palette import LIGHT
-
-Overrides = dict[EntityPathLike, rrb.VisibleTimeRanges]
-"""What holds for some entities in one view only."""
 
 
 def opening(
@@ -49,16 +45,14 @@ def opening(
     )
 
 
-def drawn_view(
-    contents: Iterable[str], bounds: Bounds, title: str, overrides: Overrides | None = None
-) -> rrb.View:
+def drawn_view(contents: Iterable[str], bounds: Bounds, title: str) -> rrb.View:
     """A view of drawn things, in which y counts upwards, on light ground.
 
     The contents are entities; `/**` at the end of one stands for everything below it, and a `-`
     before it leaves out what an entity before it holds.
     """
     x0, y0, x1, y1 = bounds
-    rules = (path if path.startswith("- ") else f"+ {path}" for path in contents)
+    rules = (rule if rule.startswith("- ") else f"+ {rule}" for rule in contents)
     return rrb.Spatial2DView(
         # only views from the root apply the transform that turns y upwards
         origin="/",
@@ -66,18 +60,12 @@ def drawn_view(
         name=title,
         background=LIGHT.panel,
         visual_bounds=rrb.VisualBounds2D(x_range=[x0, x1], y_range=[-y1, -y0]),
-        overrides=overrides,
     )
 
 
-def gathering(entities: Iterable[str], timeline: str) -> Overrides:
-    """Let everything stay in view that was logged for these entities up to now."""
-    so_far = rrb.VisibleTimeRanges(
-        timeline=timeline,
-        start=rr.TimeRangeBoundary.infinite(),
-        end=rr.TimeRangeBoundary.cursor_relative(),
-    )
-    return {f"/{path}": so_far for path in entities}
+def y_upwards() -> rr.Transform3D:
+    """The transform of an entity below which y counts upwards; on screens it counts downwards."""
+    return rr.Transform3D(scale=[1.0, -1.0, 1.0])
 
 
 def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:

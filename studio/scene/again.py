@@ -1,8 +1,8 @@
 """The command lines that make a simulation again, given its scene as a file."""
 
 import shlex
-from collections.abc import Sequence
-from dataclasses import fields
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, fields
 
 from scenes import META_ACTIONS, Limits, Noise, Rollouts, scene_to_toml
 from scenes.rollouts import DEFAULT_STEP
@@ -57,3 +57,19 @@ def how_to_make_again(
         told = [f"Save the scene below as `{name}.toml`, then run", "", "```sh", command, "```"]
     scene = ["```toml", scene_to_toml(rollouts.scene).rstrip(), "```"]
     return ["## Make it again", "", *told, "", *settings, "", *scene]
+
+
+def settings_of(rollouts: Rollouts, versions: Mapping[str, str]) -> list[tuple[str, str]]:
+    """The settings of a simulation and the versions of what made it, by their names."""
+    settings = {
+        "seed": rollouts.seed,
+        "rollouts": rollouts.count,
+        "steps": f"{rollouts.steps} of {rollouts.dt:g} s",
+        "model": rollouts.model,
+        "engine": rollouts.engine,
+        "wrap_angles": rollouts.wrap_angles,
+        **{f"noise: {name}": given for name, given in asdict(rollouts.noise).items()},
+        **{f"limits: {name}": given for name, given in asdict(rollouts.limits).items()},
+        **{f"version: {name}": given for name, given in versions.items()},
+    }
+    return [(name, str(given)) for name, given in settings.items()]

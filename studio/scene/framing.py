@@ -30,12 +30,19 @@ def comes_near(rollouts: Rollouts) -> BoolArray:
     What counts is the whole path, whenever the robot is where: somebody who crosses it before the
     robot comes is part of what happens.
     """
-    paths = rollouts.robot[:, :, ::_EVERY, None, None, :2]  # (A, M, T', 1, 1, 2)
-    near: BoolArray = np.zeros(rollouts.pedestrians.shape[3], dtype=bool)
-    for person in range(len(near)):
-        walk = rollouts.pedestrians[:, :, None, ::2, person : person + 1]
-        squares = np.sum((walk - paths) ** 2, axis=-1)
-        near[person] = bool((squares < NEAR**2).any())
+    robot, people = rollouts.robot[..., :2], rollouts.pedestrians
+    # most come near while the robot is there, which is quick to tell
+    near = _any_near(robot[:, :, ::_EVERY, None], people[:, :, ::_EVERY])
+    paths = robot[:, :, ::_EVERY, None, None]  # (A, M, T', 1, 1, 2)
+    for person in np.flatnonzero(~near):
+        near[person] = _any_near(paths, people[:, :, None, ::2, person : person + 1])[0]
+    return near
+
+
+def _any_near(robot: FloatArray, people: FloatArray) -> BoolArray:
+    """Which people [..., P, 2] are ever within `NEAR` of the robot, [..., 1, 2], m, [P]."""
+    squares = np.sum((people - robot) ** 2, axis=-1)  # (..., P)
+    near: BoolArray = np.any(squares < NEAR**2, axis=tuple(range(squares.ndim - 1)))
     return near
 
 

@@ -11,9 +11,16 @@ import numpy as np
 from scenes import FEATURES, Rollouts
 from scenes.features import distances_to_goal, gaps
 from studio.arrays import BoolArray, FloatArray, IntArray
+from studio.style.ticks import round_step
 
 PERSON, WALL, NOTHING = 0, 1, 2
 """What the robot touched in a rollout, the worst first."""
+
+_LEAST_RANGES = {"clearance": 1.0, "deviation": 0.2, "progress": 1.0, "smoothness": 1.0}
+"""How far the histogram of a feature reaches from 0 at least, in its unit."""
+
+_MOST_BINS = 25  # of a histogram of values on one side of 0
+_ROUNDING = 1e-9  # a value that leaves the bins by this share of one does so by rounding only
 
 
 @dataclass(frozen=True)
@@ -95,3 +102,14 @@ def poses_at(rollouts: Rollouts, index: int, steps: IntArray) -> FloatArray:
 def first_contacts(rollouts: Rollouts, index: int) -> FloatArray:
     """Poses at which the robots under one action first touch something, [N, 3], m and rad."""
     return poses_at(rollouts, index, rollouts.contact_step[index])
+
+
+def bin_edges(measure: Measure) -> FloatArray:
+    """Edges of the bins of a measure, [B+1]: round ones, 0 among them, which hold all values."""
+    values, least = measure.values, _LEAST_RANGES[measure.feature]
+    low, high = min(0.0, float(values.min())), max(least, float(values.max()))
+    width = round_step((1.0 - _ROUNDING) * max(-low, high), _MOST_BINS)
+    first, last = np.floor(low / width + _ROUNDING), np.ceil(high / width - _ROUNDING)
+    edges: FloatArray = width * np.arange(first, last + 1.0)
+    edges[[0, -1]] += (-_ROUNDING * width, _ROUNDING * width)
+    return edges

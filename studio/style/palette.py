@@ -95,15 +95,20 @@ class Theme:
     pedestrian: Colour
     contact: Colour  # of touching a pedestrian or a wall, and of nothing else
     actions: tuple[str, ...] = ()  # names of all actions of the scene, in their order
+    action_colours: tuple[Colour, ...] = ACTION_COLOURS  # of these actions, in the same order
 
     def of(self, actions: Iterable[str]) -> "Theme":
         """The theme with a colour for each action of these names; itself if it has them already."""
         names = tuple(actions)
         return self if set(names) <= set(self.actions) else replace(self, actions=names)
 
+    def of_sides(self, sides: tuple[str, str]) -> "Theme":
+        """The theme with a colour for each of two actions that are told by their sides alone."""
+        return replace(self, actions=sides, action_colours=SIDE_COLOURS)
+
     def action_colour(self, name: str) -> Colour:
         """The colour of the action of this name."""
-        return ACTION_COLOURS[self.actions.index(name) % len(ACTION_COLOURS)]
+        return self.action_colours[self.actions.index(name) % len(self.action_colours)]
 
     def legible(self, colour: Colour) -> Colour:
         """The colour, shifted towards that of text until small type in it can be read.

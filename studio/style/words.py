@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 LONGEST_NAME = 22
-"""Longer names of actions are cut in figures, in characters."""
+"""Longer names of actions are cut in the middle in figures, in characters."""
 
 TEACHER_NAMES = {"eu": "EU", "tk": "T&K", "strong": "Strong"}
 
@@ -31,9 +31,10 @@ def short_label(name: str) -> str:
     return short(action_label(name))
 
 
-def short(name: str) -> str:
-    """A name that fits into a figure."""
-    return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"
+def short(name: str, longest: int = LONGEST_NAME) -> str:
+    """A name of so many characters at most, cut in the middle: long names differ at their ends."""
+    kept = (longest - 1) // 2
+    return name if len(name) <= longest else f"{name[:kept].rstrip()}…{name[-kept:].lstrip()}"
 
 
 def action_label(name: str) -> str:
@@ -99,5 +100,5 @@ def contacts_told(touched: int, ended: int, count: int) -> str:
     Of these outcomes, `ended` have ended so far, and `touched` of those had contact.
     """
     if ended == count:
-        return f"{touched} of {count} with contact"
-    return f"{touched} of {ended} so far" if ended else ""
+        return f"{touched:,} of {count:,} with contact"
+    return f"{touched:,} of {ended:,} so far" if ended else ""

@@ -17,6 +17,7 @@ from studio.errors import InputError
 from studio.kinds import read_recording
 from studio.orchestrator import Studio
 from studio.recording import Excerpt, Look, write_picture
+from studio.study.picture.finding import compose_finding
 from studio.study.picture.page import compose_study_picture
 from studio.study.results import StudyResults
 from studio.style.palette import ACTION_COLOURS, DARK, LIGHT
@@ -109,7 +110,7 @@ def test_some_actions_keep_the_colours_that_they_have_among_all(
     assert shown == [False, False, True, True, False, False, False]
     recording = read_recording(folder / "doorway.rrd")
     texts = [placed.text for placed in recording.still(Look(), Excerpt(("stop",))).texts]
-    assert texts.count("stop") == 2 + 3  # at its path, in the table, and as the pick of all three
+    assert texts.count("stop") == 3 + 3  # at its path, in two tables, and as the pick of all three
     assert "turn left" not in texts
 
 
@@ -119,9 +120,9 @@ def test_a_film_can_be_cut_to_a_span_of_simulated_time(folder: Path, tmp_path: P
         assert render(folder / "doorway.rrd", "--mp4", path, *QUICK, *options).exit_code == 0
         return len(frames_of(path))
 
-    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 2.5 s
-    assert whole == 11 + 5 + 25
-    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 25
+    whole = frames("--actions", "stop")  # 1 s, the pause of 0.5 s, the picture for 6 s
+    assert whole == 11 + 5 + 60
+    assert frames("--actions", "stop", "--from", "0.5") == 6 + 5 + 60
     assert frames("--actions", "stop", "--from", "0.2", "--to", "0.7") == 6 + 5
 
 
@@ -140,8 +141,50 @@ def test_a_study_is_painted_as_its_table(study_recording: Path, tmp_path: Path) 
     drawn = (study_recording.parent / "learning.png").read_bytes()
     assert (tmp_path / "x.png").read_bytes() == drawn
     frames = frames_of(tmp_path / "x.mp4")
-    assert frames[0].shape == (800, 1280, 3)
+    assert frames[0].shape == (720, 1280, 3)
     assert not np.array_equal(frames[0], frames[-1])
+    # it ends with the picture, held for six seconds but for what the codec loses
+    last = frames[-6 * 5 :]
+    assert max(np.abs(frame.astype(int) - last[-1]).mean() for frame in last) < 1.0
+    still = read_recording(study_recording).still(Look(size=(1280, 720)), Excerpt()).pixels
+    assert np.abs(last[-1].astype(int) - still).mean() < 4.0
+
+
+def test_what_was_learned_is_the_second_page_of_a_study(
+    study_recording: Path, tmp_path: Path
+) -> None:
+    result = render(study_recording, "--page", "2", "--png", tmp_path / "x.png")
+    assert result.exit_code == 0, result.stderr
+    second = study_recording.with_name("learning-2.png").read_bytes()
+    assert (tmp_path / "x.png").read_bytes() == second
+    assert second != study_recording.with_name("learning.png").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("page", "kind", "said"),
+    [
+        ("3", "png", "--page: 3 is not there: 1 to 2"),
+        ("0", "png", "--page: 0 is not there: 1 to 2"),
+        ("2", "mp4", "--page: goes with a picture, a film shows all pages"),
+    ],
+)
+def test_pages_that_are_not_there_are_refused_in_one_line(
+    page: str, kind: str, said: str, study_recording: Path, tmp_path: Path
+) -> None:
+    result = render(study_recording, "--page", page, f"--{kind}", tmp_path / f"x.{kind}")
+    assert result.exit_code == 2
+    assert result.stderr == f"studio: {said}\n"
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["doorway", "doorway-forward-stop"])
+def test_the_picture_of_a_scene_or_a_comparison_has_one_page(
+    name: str, folder: Path, tmp_path: Path
+) -> None:
+    result = render(folder / f"{name}.rrd", "--page", "2", "--png", tmp_path / "x.png")
+    assert result.exit_code == 2
+    assert result.stderr == "studio: --page: 2 is not there: 1\n"
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> None:
@@ -149,14 +192,23 @@ def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> N
     cut = recording.still(Look(), Excerpt(end=10)).pixels
     table = pq.read_table(study_recording.with_suffix(".parquet"))
     of_ten = table.filter(table["pairs"].to_numpy() <= 10)
-    expected = compose_study_picture(StudyResults(of_ten, recording.results.teachers)).pixels
-    assert np.array_equal(cut, expected)
+    results = StudyResults(of_ten, recording.results.teachers)
+    assert np.array_equal(cut, compose_finding(results).pixels)
+    second = recording.still(Look(), Excerpt(end=10, page=2)).pixels
+    assert np.array_equal(second, compose_study_picture(results).pixels)
     with pytest.raises(InputError, match="11 to 29 pairs are not allowed: some of 10, 30"):
         recording.still(Look(), Excerpt(start=11, end=29))
 
 
 @pytest.mark.parametrize(
-    "name", ["scene-edition-1", "scene-edition-2", "learning-edition-1", "learning-edition-2"]
+    "name",
+    [
+        "scene-edition-1",
+        "scene-edition-2",
+        "learning-edition-1",
+        "learning-edition-2",
+        "comparison-edition-2",
+    ],
 )
 def test_recordings_of_an_older_edition_are_painted(name: str, old: Callable[[str], Path]) -> None:
     recording = old(name)

@@ -6,6 +6,7 @@ ones visible and the area between them empty (Padilla et al., "Effects of ensemb
 displays on interpretations of geospatial uncertainty data", Cognitive Research 2017).
 """
 
+import cv2
 import numpy as np
 
 from scenes import Rollouts
@@ -13,7 +14,7 @@ from studio.arrays import FloatArray
 from studio.painter.canvas import Canvas
 from studio.painter.paths import FaintPaths
 from studio.painter.views import View
-from studio.scene.measures import first_contacts, touched_by
+from studio.scene.measures import touched_by
 from studio.scene.picture.crowd import between
 from studio.scene.picture.scenery import (
     draw_contacts,
@@ -21,11 +22,14 @@ from studio.scene.picture.scenery import (
     draw_groups,
     draw_people,
     draw_robot,
+    draw_wall_contacts,
     overlap_opacity,
 )
 from studio.style.palette import Colour
 
 _FILM_FRINGE = (0.0, 2.0)  # see `FaintPaths`: what these films have always shown
+_FADED = 0.4  # how opaque paths are that have stepped back
+_MARK_OF_ONE = 5.5  # radius of the mark of contact of the outcome that plays, in units of the page
 
 
 class OutcomeScene:
@@ -34,7 +38,7 @@ class OutcomeScene:
     Args:
         canvas: clipped to the scene, with everything drawn that never changes.
         view: of the scene.
-        rollouts: of the scene.
+        rollouts: of the scene, whose paths are all kept.
         side: index of the action.
     """
 
@@ -43,8 +47,11 @@ class OutcomeScene:
         self._colour = canvas.theme.action_colour(rollouts.names[side])
         self._poses = rollouts.robot[side]  # (K, T+1, 3), m and rad
         self._people = rollouts.pedestrians[side]  # (K, T+1, P, 2), m
-        self._contact_step, self._touched = rollouts.contact_step[side], rollouts.touched[side]
-        self._contacts = first_contacts(rollouts, side)  # (N, 3), of those that touched, in order
+        self._contact_step = rollouts.contact_step[side]
+        self._marked = (
+            (rollouts.wall_step[side], draw_wall_contacts),
+            (rollouts.person_step[side], draw_contacts),
+        )
         opacity = overlap_opacity(len(self._poses))
         pen = 2 * canvas.unit
         self._robots = FaintPaths(canvas, self._colour, pen, opacity, _FILM_FRINGE)
@@ -62,8 +69,14 @@ class OutcomeScene:
         self._seen = count
         canvas = self._canvas
         canvas.pixels[:] = self._robots.over(self._crowd.over(self._ground))
-        draw_contacts(canvas, self._view, self._contacts[: self._touched[:count].sum()])
+        for steps, draw in self._marked:
+            [touching] = np.nonzero(steps[:count] >= 0)
+            draw(canvas, self._view, self._poses[touching, steps[touching]])
         self._layer = canvas.pixels.copy()
+
+    def fade(self) -> None:
+        """Let what was left behind step back, for one outcome to be seen before it."""
+        cv2.addWeighted(self._layer, _FADED, self._ground, 1.0 - _FADED, 0.0, dst=self._layer)
 
     def draw_at_rest(self) -> None:
         """Draw what was left behind, and everybody where the scene has them at the start."""
@@ -79,11 +92,11 @@ class OutcomeScene:
         canvas.pixels[:] = self._layer
         way = np.concatenate([self._poses[outcome, : int(step) + 1], [pose]])
         canvas.line(view.to_pixels(way), self._colour, 3 * canvas.unit)
-        contact_step = self._contact_step[outcome]
-        touched = touched_by(contact_step, step)
+        touched = touched_by(self._contact_step[outcome], step)
         self._draw_everybody(pose, people, canvas.theme.contact if touched else self._colour)
-        if touched:
-            draw_contacts(canvas, view, self._poses[one, contact_step])
+        for steps, draw in self._marked:
+            if touched_by(steps[outcome], step):
+                draw(canvas, view, self._poses[one, steps[outcome]], _MARK_OF_ONE)
 
     def _draw_everybody(self, pose: FloatArray, people: FloatArray, colour: Colour) -> None:
         draw_groups(self._canvas, self._view, self._scene, people)

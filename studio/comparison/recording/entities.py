@@ -1,6 +1,6 @@
-"""What the things that only the recording of a comparison has are called.
+"""What the things that only the recording of a comparison has are called; all else as of a scene.
 
-All else in it has the names that the recording of a scene gives it.
+Actions have the names under which they are shown: those of their sides if the comparison is blind.
 """
 
 from rerun import escape_entity_path_part as entity_part
@@ -22,5 +22,5 @@ def story(name: str) -> str:
 
 
 def dots(name: str) -> str:
-    """The figure of one action's outcomes as dots that gather."""
+    """The figure of one action's outcomes, on which dots gather, and below it what is said."""
     return f"{FIGURES}/dots/{entity_part(name)}"

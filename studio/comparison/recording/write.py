@@ -5,7 +5,9 @@ story in which one outcome after the other plays on both sides at once. `recordi
 its reference.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import rerun as rr
 import rerun.blueprint as rrb
@@ -13,22 +15,29 @@ import rerun.blueprint as rrb
 from scenes import Rollouts
 from studio.arrays import Bounds
 from studio.comparison.comparison import QUESTION, SIDES, Comparison
+from studio.comparison.picture.figure import FIGURE_SIZE
 from studio.comparison.recording import entities
-from studio.comparison.recording.dots import BOUNDS, log_dots
 from studio.comparison.recording.page import comparison_page
-from studio.comparison.recording.story import log_story
-from studio.recorder.drawing import y_upwards
+from studio.comparison.recording.story import log_figure_of_dots, log_story
+from studio.comparison.words import crowd_told
+from studio.recorder.figures import painted_view
 from studio.recorder.pages import log_page, package_versions
+from studio.recorder.plots import bars_view, table_view
 from studio.recorder.stream import recording_to
-from studio.recorder.views import drawn_view, gathering, opening, page_view
+from studio.recorder.views import opening, page_view
 from studio.scene.framing import bounds_of_shape
 from studio.scene.judgements import Judgement
 from studio.scene.measures import gap_over_time
 from studio.scene.recording import entities as of_scene
 from studio.scene.recording.blueprint import VIEW_SHAPE, world_view
-from studio.scene.recording.write import identity, log_simulation
+from studio.scene.recording.outcomes import log_histograms, measured
+from studio.scene.recording.world import scale_length
+from studio.scene.recording.write import MOST_PATHS, identity, log_simulation
 from studio.style.palette import LIGHT
 from studio.style.words import action_label, counted, short_label
+
+COLUMNS = ("clearance_m", "progress_m", "deviation_m", "people_touched", "person_step", "wall_step")
+"""What the tables of outcomes show: nothing that says what an outcome is worth to anybody."""
 
 
 def write_comparison_recording(
@@ -39,65 +48,70 @@ def write_comparison_recording(
     Raises:
         OSError: if the file cannot be written.
     """
-    rollouts, theme = comparison.rollouts, LIGHT.of(comparison.actions)
-    left, right = rollouts.names
-    name = f"{identity(rollouts)}-{comparison.seed}"
-    bounds = bounds_of_shape(rollouts, *VIEW_SHAPE)
-    blueprint = comparison_blueprint(rollouts, bounds)
+    rollouts = comparison.shown.keep_paths(MOST_PATHS)
+    theme, bounds = comparison.coloured(LIGHT), bounds_of_shape(rollouts, *VIEW_SHAPE)
+    name = f"{identity(comparison.rollouts)}-{comparison.seed}-{comparison.named}"
+    left, right = comparison.rollouts.names
+    blueprint = comparison_blueprint(rollouts, bounds, comparison.named)
     with recording_to(path, entities.APPLICATION, name, blueprint) as stream:
-        stream.send_recording_name(
-            f"{rollouts.scene.name}: {action_label(left)} or {action_label(right)}"
-        )
-        log_simulation(
-            stream, rollouts, judgements, bounds, gap_over_time(rollouts), package_versions(), theme
-        )
-        stream.send_property(
-            "comparison",
-            rr.AnyValues(
-                left=left, right=right, seed=comparison.seed, actions=list(comparison.actions)
-            ),
-        )
-        stream.log(of_scene.FIGURES, y_upwards(), static=True)
+        told = f"{action_label(left)} or {action_label(right)}" if comparison.named else QUESTION
+        stream.send_recording_name(f"{rollouts.scene.name}: {told}")
+        gap, versions = gap_over_time(rollouts), package_versions()
+        log_simulation(stream, rollouts, judgements, bounds, gap, versions, theme)
+        log_histograms(stream, rollouts, theme)
+        sides: dict[str, Any] = {"left": left, "right": right, "named": comparison.named}
+        sides |= {"seed": comparison.seed, "actions": list(comparison.actions)}
+        stream.send_property("comparison", rr.AnyValues(**sides))
         for side in range(len(SIDES)):
             log_story(stream, rollouts, side, theme)
-            log_dots(stream, rollouts, side, theme)
+            log_figure_of_dots(stream, rollouts, side, theme)
         log_page(stream, of_scene.ABOUT, comparison_page(comparison, judgements))
 
 
-def comparison_blueprint(rollouts: Rollouts, bounds: Bounds) -> rrb.Blueprint:
-    """The tabs: one outcome at a time, all at once, about."""
-    named = list(zip(SIDES, rollouts.names, strict=True))
-    stories = [story_side(side, name, rollouts.count, bounds) for side, name in named]
-    wholes = [whole_side(side, name, bounds) for side, name in named]
-    return opening(
-        [
-            rrb.Horizontal(*stories, name=QUESTION),
-            rrb.Horizontal(*wholes, name="All at once"),
-            page_view(of_scene.ABOUT, "About"),
-        ],
-        entities.STORY,
+def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb.Blueprint:
+    """The tabs: one outcome at a time, all at once, all numbers, and what is told afterwards."""
+    names = rollouts.names
+    titles = [
+        f"{side}: {short_label(name)}" if named else side
+        for side, name in zip(SIDES, names, strict=True)
+    ]
+    sides = list(zip(titles, names, strict=True))
+    tables = [
+        table_view(of_scene.outcomes(name), f"{title}: a row an outcome", "rollout", COLUMNS)
+        for title, name in sides
+    ]
+    stories = [story_side(rollouts, title, name, bounds) for title, name in sides]
+    wholes = [whole_side(rollouts, title, name, bounds) for title, name in sides]
+    about = page_view(of_scene.ABOUT, "About" if named else "Which is which")
+    rows: dict[str, Sequence[rrb.Container | rrb.View]]
+    rows = {QUESTION: stories, "All at once": wholes, "Outcomes": tables}
+    tabs = [rrb.Horizontal(*views, name=title) for title, views in rows.items()]
+    return opening([*tabs, about], entities.STORY)
+
+
+def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
+    """The outcomes of one side's action, one at a time, and below them the dots."""
+    told = crowd_told(rollouts.scene, bounds) or "nobody"
+    title_of_world = f"{title}: the robot, {told} (bar: {scale_length(bounds):g} m)"
+    dots, many = entities.dots(name), counted(rollouts.count, "outcome")
+    return rrb.Vertical(
+        world_view([f"{entities.story(name)}/**"], bounds, title_of_world),
+        page_view(f"{dots}/so_far", f"{title}: so far"),
+        painted_view(dots, f"{title}: {many}", (0.0, 0.0, *FIGURE_SIZE)),
+        row_shares=[20, 4, 17],
     )
 
 
-def story_side(side: str, name: str, count: int, bounds: Bounds) -> rrb.Container:
-    """The `count` outcomes of one side's action, one at a time, and their dots below."""
-    story, dots = entities.story(name), entities.dots(name)
-    world = world_view(
-        [f"{story}/**"],
-        bounds,
-        f"{side}: {short_label(name)} (grid of 1 m)",
-        gathering([f"{story}/paths"], entities.STORY),
-    )
-    figure = drawn_view(
-        [f"{dots}/**"],
-        BOUNDS,
-        f"{side}: {counted(count, 'outcome')}, one at a time; a dot: one outcome; red: contact",
-        gathering([f"{dots}/outcomes", f"{dots}/contacts"], entities.STORY),
-    )
-    return rrb.Vertical(world, figure, row_shares=[10, 9])
-
-
-def whole_side(side: str, name: str, bounds: Bounds) -> rrb.View:
-    """All outcomes of one side's action at once."""
-    title = f"{side}: {short_label(name)}, all at once; they move along the timeline sim_time"
-    return world_view([f"{of_scene.action(name)}/**"], bounds, title)
+def whole_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
+    """All paths under one side's action at once, and how its outcomes are distributed."""
+    sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count:,}"
+    title = f"{title}: {counted(rollouts.paths, 'path')}{sample}"
+    plots = [
+        bars_view(
+            of_scene.histogram(each.feature, name), each.title, of_scene.any_action(each.feature)
+        )
+        for each in measured(rollouts)
+        if each.unit
+    ]
+    world = world_view([f"{of_scene.action(name)}/**"], bounds, title)
+    return rrb.Vertical(world, rrb.Horizontal(*plots), row_shares=[2, 1])

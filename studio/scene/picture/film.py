@@ -69,9 +69,8 @@ def compose_film(
     """
     order = telling_order(rollouts, judgements)
     theme = theme.of(rollouts.names)
-    shown = only(rollouts, [rollouts.names[index] for index in order]).with_paths()
-    judged = [judgement.of(order) for judgement in judgements]
-    page = lay_out_film(shown, size, theme, judged, rollouts.count)
+    ordered = only(rollouts, [rollouts.names[index] for index in order])
+    page = lay_out_film(ordered, size, theme, [judgement.of(order) for judgement in judgements])
     start, end = span or (0.0, rollouts.horizon)
     if not 0.0 <= start < end <= rollouts.horizon:
         raise InputError(
@@ -81,16 +80,16 @@ def compose_film(
     speed = play_speed(rollouts.horizon)
 
     def segment(index: int) -> Segment:
-        contact = FirstContact.of(shown, index)
+        contact = FirstContact.of(page.shown, index)
         halt = contact.time if contact else None
         times = frame_times(start, end, speed, frames_per_second, halt)
 
         def frames() -> Iterator[PixelArray]:
-            return (canvas.pixels for canvas in play_action(page, shown, index, times))
+            return (canvas.pixels for canvas in play_action(page, index, times))
 
         return Segment(len(times), frames)
 
-    segments = [segment(index) for index in range(len(shown.actions))]
+    segments = [segment(index) for index in range(len(rollouts.actions))]
     if end < rollouts.horizon:
         return segments
     held = round(_CLOSING_PICTURE * frames_per_second)
@@ -159,7 +158,8 @@ class FilmPage:
     strip: tuple[Box, ...]  # one cell an action, at the foot of the page
     courses: tuple[Course, ...]  # what develops beside the scene
     judgements: tuple[Judgement, ...]  # of the actions in the order in which they are played
-    sample_of: int  # how many rollouts there are of each action, of which the film may show fewer
+    rollouts: Rollouts  # all of them
+    shown: Rollouts  # those whose paths are kept, which move in the film
 
 
 def lay_out_film(
@@ -167,11 +167,10 @@ def lay_out_film(
     size: tuple[int, int],
     theme: Theme = LIGHT,
     judgements: Sequence[Judgement] = (),
-    sample_of: int = 0,
 ) -> FilmPage:
     """Draw what all frames share; raises what `compose_film` raises.
 
-    The actions are played in their order. The rollouts may be a sample of more of each action.
+    The actions are played in their order.
     """
     canvas = Canvas(*size, theme.of(rollouts.names))
     kind, unit, page = canvas.type, canvas.unit, canvas.page
@@ -200,24 +199,22 @@ def lay_out_film(
     draw_scale_bar(canvas, view, clock.right, clock.centre[1] + 0.35 * kind.small)
     count = len(rollouts.actions)
     cells = strip.columns([1.0] * count, 12 * unit)
-    shown = courses(rollouts), tuple(judgements), max(sample_of, rollouts.count)
-    return FilmPage(canvas, view, side, clock, cells, *shown)
+    shown, judged = rollouts.with_paths(), tuple(judgements)
+    return FilmPage(canvas, view, side, clock, cells, courses(shown), judged, rollouts, shown)
 
 
 # One action
 
 
-def play_action(
-    page: FilmPage, rollouts: Rollouts, index: int, times: FloatArray
-) -> Iterator[Canvas]:
+def play_action(page: FilmPage, index: int, times: FloatArray) -> Iterator[Canvas]:
     """Draw the frames of one action at times (s) that never go back.
 
     Yields:
         One and the same canvas, drawn anew for each frame.
     """
-    canvas = page.canvas.copy()
-    strip = ActionStrip(canvas, page.strip, rollouts, page.judgements, index)
-    so_far = OutcomesSoFar(canvas, page.side, rollouts, index, page.courses)
+    canvas, rollouts = page.canvas.copy(), page.shown
+    strip = ActionStrip(canvas, page.strip, page.rollouts, page.judgements, index)
+    so_far = OutcomesSoFar(canvas, page.side, page.rollouts, index, page.courses)
     scene = MovingScene(canvas.clipped(page.view.box), page.view, rollouts, index)
     contact = FirstContact.of(rollouts, index)
     still = canvas.copy()
@@ -233,23 +230,21 @@ def play_action(
                 scene.draw_first_contact(contact)
             so_far.draw(still, step)
             strip.draw(shown / rollouts.horizon)
-            _draw_clock(canvas, still, page, rollouts, shown)
+            _draw_clock(canvas, still, page, shown)
         yield canvas
 
 
-def _draw_clock(
-    canvas: Canvas, still: Canvas, page: FilmPage, rollouts: Rollouts, time: float
-) -> None:
+def _draw_clock(canvas: Canvas, still: Canvas, page: FilmPage, time: float) -> None:
     """Write the time, and what it has to do with real time, below the scene."""
-    box = page.clock
+    box, rollouts = page.clock, page.shown
     canvas.restore(still, box)
     size, count, faint = canvas.type.small, rollouts.count, canvas.theme.faint
     at, told_time = (box.left, box.centre[1]), f"{time:.1f} s of {rollouts.horizon:g} s"
     clock = canvas.text(at, told_time, canvas.type.body, canvas.theme.ink, SEMIBOLD)
     speed = f"{play_speed(rollouts.horizon):g}× real time"
     told = f"{count} rollouts at once, one of them in full" if count > 1 else ""
-    if count < page.sample_of:
-        told = f"a sample, {count} of {page.sample_of} rollouts, one of them in full"
+    if count < page.rollouts.count:
+        told = f"a sample, {count} of {page.rollouts.count} rollouts, one of them in full"
     people = (rollouts.person_step >= 0).any()
     touched = ["× a person"] * bool(people) + ["□ a wall"] * bool(rollouts.wall_touched.any())
     marks = f"touched: {', '.join(touched)}" if touched else ""

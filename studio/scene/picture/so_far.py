@@ -71,9 +71,12 @@ class OutcomesSoFar:
     def __init__(
         self, canvas: Canvas, box: Box, rollouts: Rollouts, index: int, shown: Sequence[Course]
     ) -> None:
-        self._canvas = canvas
+        """Take all rollouts; those whose paths are kept are counted while they move."""
+        self._canvas, count = canvas, rollouts.paths
         self._colour = canvas.theme.action_colour(rollouts.names[index])
-        self._steps = {"person": rollouts.person_step[index], "wall": rollouts.wall_step[index]}
+        every = {"person": rollouts.person_step[index], "wall": rollouts.wall_step[index]}
+        self._steps = {thing: steps[:count] for thing, steps in every.items()}
+        self._ends = {thing: _end_told(thing, steps, count) for thing, steps in every.items()}
         self._last = rollouts.steps
         kind, unit, action = canvas.type, canvas.unit, rollouts.actions[index]
         at, name = (box.left, box.top), action_label(action.name)
@@ -125,11 +128,20 @@ class OutcomesSoFar:
         placed = canvas.fit(at, counts, cell.width, kind.title, ink, SEMIBOLD, line="top")
         told = [f"touch a {thing} so far", f"a {thing} so far", f"a {thing}"]
         if ended:
-            share = wilson(touched, count)
-            sure = share_told(share.value, share.low, share.high)
-            told = [f"a {thing}: {sure}", sure]
+            told = self._ends[thing]
         at = (cell.left, placed.bottom)
         canvas.fit(at, told, cell.width, kind.body, theme.ink, line="top")
+
+
+def _end_told(thing: str, steps: IntArray, shown: int) -> list[str]:
+    """In what share of all rollouts a thing was touched in the end, the longest wording first.
+
+    The steps [K] are those of all rollouts, of which a sample may be shown.
+    """
+    share = wilson(int((steps >= 0).sum()), len(steps))
+    told = share_told(share.value, share.low, share.high)
+    every = f" of all {len(steps)}" if shown < len(steps) else ""
+    return [f"a {thing}: {told}{every}", f"a {thing}: {told}", told]
 
 
 class _MovingHistogram:

@@ -9,18 +9,18 @@ from scenes import Rollouts
 from studio.arrays import Bounds
 from studio.recorder.figures import painted_view
 from studio.recorder.plots import bars_view, curves_view, states_view, table_view
-from studio.recorder.views import Overrides, drawn_view, opening, page_view
+from studio.recorder.views import drawn_view, opening, page_view
 from studio.scene.framing import bounds_to_show
 from studio.scene.recording import entities
 from studio.scene.recording.outcomes import measured
 from studio.scene.recording.world import scale_length
-from studio.style.words import counted, short_label
+from studio.style.words import action_label, counted, short, short_label
 
 VIEW_SHAPE = (16, 9)
 """Width to height of views of the world on a common screen."""
 
 OVERVIEW, TITLE_HEIGHT = (700.0, 620.0), 28.0  # room for all worlds, and a view's title, px
-MOST_COLUMNS = 3  # of worlds; in more there is no room for their titles
+MOST_COLUMNS, LONGEST_TITLE = 3, 13  # of worlds, and of their titles, for which there is room
 
 
 def recording_blueprint(
@@ -51,9 +51,13 @@ def scene_overview(rollouts: Rollouts) -> rrb.Container:
     bounds = bounds_to_show(rollouts)
     worlds = [
         world_view(
-            [f"{entities.action(name)}/**", f"- {entities.pedestrians(name)}"],
+            [
+                f"{entities.action(name)}/**",
+                f"- {entities.pedestrians(name)}",
+                f"- {entities.SCALE}",  # it lies in the corner of larger views
+            ],
             bounds,
-            short_label(name),
+            short(action_label(name), LONGEST_TITLE),
         )
         for name in rollouts.names
     ]
@@ -134,9 +138,7 @@ def minds_tab() -> rrb.Container:
     )
 
 
-def world_view(
-    contents: Sequence[str], bounds: Bounds, title: str, overrides: Overrides | None = None
-) -> rrb.View:
+def world_view(contents: Sequence[str], bounds: Bounds, title: str) -> rrb.View:
     """A view of the world: what does not move, and the given contents; see `drawn_view`."""
     fixed = [entities.WALLS, entities.TASK, entities.SCALE]
-    return drawn_view([*fixed, *contents], bounds, title, overrides)
+    return drawn_view([*fixed, *contents], bounds, title)

@@ -28,8 +28,8 @@ from studio.style.ticks import round_range
 from studio.style.words import action_label
 
 SIZE = (2000, 1100)  # of figures, px: twice what views of them usually take
-DOT, RING = 4.0, 12.0  # radii, px of the figure
-WINDOW = 120.0  # above and below the dots of an action in the view of them, px
+DOT, RING = 2.5, 12.0  # radii, px of the figure; the painted dots below are larger
+WINDOW = 0.105  # half the height of the view of the dots of an action, in widths of it
 ASIDE = 40.0  # at the right of the dots there, px
 
 
@@ -47,7 +47,7 @@ def window_on(drawn: DrawnUtilities, index: int) -> Bounds:
     places = drawn.dots[min(index, len(drawn.dots) - 1)]
     right = max(float(each[:, 0].max()) for each in drawn.dots) + ASIDE
     middle = float(places[:, 1].max())
-    return 0.0, middle - WINDOW, right, middle + WINDOW
+    return 0.0, middle - WINDOW * right, right, middle + WINDOW * right
 
 
 def log_dots_that_answer(
@@ -88,7 +88,7 @@ def log_dots_that_answer(
 def paint_minds(rollouts: Rollouts, judgements: Sequence[Judgement], theme: Theme) -> PixelArray:
     """How the teachers weigh and value, what they are like, and how they rank the actions."""
     canvas = Canvas(*SIZE, theme)
-    left, right = canvas.page.columns((8.0, 7.0), 2.0 * canvas.gap)
+    left, right = canvas.page.columns((6.0, 7.0), canvas.gap)
     _, reach = round_range(0.0, max(float(np.abs(utilities(rollouts)).max()), 0.01))
     square = Box(left.left, left.top, left.right, left.top + 0.5 * left.width)
     weights, values = square.columns((1.0, 1.0), canvas.gap)

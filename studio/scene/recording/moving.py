@@ -16,7 +16,6 @@ from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
 from studio.arrays import FloatArray, IntArray
 from studio.scene.groups import shortest_links
-from studio.style.palette import Theme, blend
 
 RESOLUTION = 1.0 / 128.0
 """Positions are rounded to this, about 8 mm: they are at most 4 mm off.
@@ -49,32 +48,6 @@ def log_over_time(
     """Say how an entity looks at any time, and what it is at each moment."""
     stream.log(path, *look, static=True)
     stream.send_columns(path, times, columns)
-
-
-def log_people(
-    stream: rr.RecordingStream,
-    path: str,
-    times: Iterable[rr.TimeColumn],
-    people: FloatArray,
-    groups: tuple[tuple[int, ...], ...],
-    look: rr.Points2D,
-    theme: Theme,
-) -> None:
-    """Show people [moments, N, 2] (m) who move, and bars that join those of a group.
-
-    Groups name people by their indices in axis N; the look says radii, colours and draw order.
-    """
-    places = rounded(people)
-    static: list[rr.AsComponents] = [look]
-    points = rr.Points2D.columns(positions=places.reshape(-1, 2))
-    moving = [*points.partition([places.shape[1]] * len(places))]
-    if groups:
-        bars = group_bars(places, groups)  # (moments, bars, 2, 2)
-        faint = blend(theme.pedestrian, theme.panel, 0.5)
-        static.append(rr.LineStrips2D.from_fields(colors=faint, radii=0.07, draw_order=5.0))
-        lines = rr.LineStrips2D.columns(strips=strips(bars.reshape(-1, 2, 2)))
-        moving += lines.partition([bars.shape[1]] * len(bars))
-    log_over_time(stream, path, times, static, moving)
 
 
 def rounded(values: FloatArray, resolution: float = RESOLUTION) -> FloatArray:
@@ -121,12 +94,6 @@ def turn_column(rollouts: Rollouts) -> rr.TimeColumn:
 def path_corners(rollouts: Rollouts, stride: int = PATH_STRIDE) -> IntArray:
     """The steps through which a path is drawn, the first and the last among them."""
     return np.unique([*range(0, rollouts.steps, stride), rollouts.steps])
-
-
-def crosses(centres: FloatArray, reach: float) -> FloatArray:
-    """An × in one line around each centre [N, 2], [N, 5, 2], m."""
-    lines: FloatArray = centres[:, None] + reach * CROSS
-    return lines
 
 
 def clear_rollouts_from(stream: rr.RecordingStream, path: str, first: int) -> None:

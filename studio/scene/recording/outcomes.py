@@ -13,23 +13,16 @@ from studio.arrays import FloatArray
 from studio.recorder.plots import log_bands, log_bars, log_rows, log_states
 from studio.scene.certainty import wilson
 from studio.scene.judgements import Judgement, utilities
-from studio.scene.measures import NOTHING, PERSON, WALL, Measure, measures
+from studio.scene.measures import NOTHING, PERSON, WALL, Measure, bin_edges, measures
 from studio.scene.recording import entities
 from studio.scene.recording.moving import time_columns
 from studio.style.palette import Theme, blend
-from studio.style.ticks import round_step
 from studio.style.words import short_label
 
 STATES = ("person", "wall", "free")
 """What a robot touches, in the order of `PERSON`, `WALL` and `NOTHING`."""
 
 PALE = 0.5  # opacity of the colour of contact where it stands for walls
-
-LEAST_RANGES = {"clearance": 1.0, "deviation": 0.2, "progress": 1.0, "smoothness": 1.0}
-"""How far the histogram of a feature reaches from 0 at least, in its unit."""
-
-MOST_BINS = 25  # of a histogram of values on one side of 0
-ROUNDING = 1e-9  # a value that leaves the bins by this share of one does so by rounding only
 
 
 def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
@@ -39,7 +32,6 @@ def log_outcomes(stream: rr.RecordingStream, rollouts: Rollouts) -> None:
         "deviation_m": rollouts.deviation_m,
         "progress_m": rollouts.progress_m,
         "smoothness": rollouts.features[..., FEATURES.index("smoothness")],
-        "collisions": rollouts.features[..., FEATURES.index("collisions")],
         "people_touched": rollouts.people_touched.astype(np.int32),
         "person_step": rollouts.person_step.astype(np.int32),
         "wall_step": rollouts.wall_step.astype(np.int32),
@@ -158,14 +150,3 @@ def log_touching(
             rr.TimeColumn("step", sequence=steps),
         ]
         log_states(stream, entities.states(name), times, words[own[steps]].tolist(), colours)
-
-
-def bin_edges(measure: Measure) -> FloatArray:
-    """Edges of the bins of a measure, [B+1]: round ones, 0 among them, which hold all values."""
-    values, least = measure.values, LEAST_RANGES[measure.feature]
-    low, high = min(0.0, float(values.min())), max(least, float(values.max()))
-    width = round_step((1.0 - ROUNDING) * max(-low, high), MOST_BINS)
-    first, last = np.floor(low / width + ROUNDING), np.ceil(high / width - ROUNDING)
-    edges: FloatArray = width * np.arange(first, last + 1.0)
-    edges[[0, -1]] += (-ROUNDING * width, ROUNDING * width)
-    return edges

@@ -106,7 +106,7 @@ def _outcomes(
         name: np.array(
             [contents.over_time(table, name, "rollout") for table in tables], np.float64
         ).reshape(len(actions), count)
-        for name in (*IN_METRES, "smoothness", "collisions", "person_step", "wall_step")
+        for name in (*IN_METRES, "smoothness", "people_touched", "person_step", "wall_step")
     }
     clearance, deviation, progress = (numbers[name] for name in IN_METRES)
     features = [
@@ -114,7 +114,7 @@ def _outcomes(
         deviation / DEVIATION_SCALE,
         progress / (PROGRESS_SPEED * horizon),
         numbers["smoothness"],
-        numbers["collisions"],
+        numbers["people_touched"] + (numbers["wall_step"] >= 0),
     ]
     return Outcomes(
         features=np.stack(features, axis=-1),
@@ -132,7 +132,10 @@ def _old_outcomes(
     """What came of the rollouts, from the one table of scaled features of editions 1 and 2."""
     columns = [contents.static(f"/{entities.OUTCOMES}", feature) for feature in FEATURES]
     features = np.stack(columns, axis=-1).reshape(*robot.shape[:2], -1).astype(np.float64)
-    person_step, wall_step = _old_contacts(contents, scene, robot, pedestrians, features[..., -1])
+    first = contents.static(f"/{entities.OUTCOMES}", "contact_step").astype(np.int64)
+    person_step, wall_step = contacts_by_kind(
+        scene, robot, pedestrians, first.reshape(robot.shape[:2]), features[..., -1]
+    )
     return Outcomes(
         features=features,
         clearance_m=CLEARANCE_SCALE * features[..., 0],
@@ -143,20 +146,18 @@ def _old_outcomes(
     )
 
 
-def _old_contacts(
-    contents: Contents,
+def contacts_by_kind(
     scene: Scene,
     robot: FloatArray,
     pedestrians: FloatArray,
+    first: IntArray,
     collisions: FloatArray,
 ) -> tuple[IntArray, IntArray]:
     """The first steps at which people and at which walls are touched, [A, K] each, -1 for never.
 
-    Editions 1 and 2 tell the first step of any contact and how many things are touched. Of what
-    kind the contact is then follows from where everybody is, which is rounded by some millimetres.
+    Editions 1 and 2 tell the first step of any contact, [A, K], and how many things are touched. Of
+    what kind the contacts are then follows from where everybody is, rounded by some millimetres.
     """
-    first = contents.static(f"/{entities.OUTCOMES}", "contact_step")
-    first = first.astype(np.int64).reshape(robot.shape[:2])
     to_people = gaps(robot, pedestrians).min(axis=-1, initial=np.inf)  # (A, K, T+1)
     to_walls = distance_to_walls(robot[..., :2], scene.wall_segments) - ROBOT_RADIUS
     at_first = np.maximum(first, 0)[..., None]

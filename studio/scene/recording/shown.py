@@ -69,7 +69,7 @@ def log_shown(
     for moments in (Moments(time_columns(rollouts), 0 * along, along), in_turn):
         log_robot(stream, f"{path}/robot", moments, rollouts, index, classes, told)
         if rollouts.scene.pedestrians:
-            log_bystanders(stream, f"{path}/people", moments, rollouts.pedestrians[index], told)
+            log_people(stream, f"{path}/people", moments, rollouts.pedestrians[index], told)
     if count < rollouts.count:
         clear_rollouts_from(stream, path, count)
 
@@ -99,7 +99,7 @@ def log_robot(
     stream.send_columns(path, moments.times, [*rims, *lines, *answers])
 
 
-def log_bystanders(
+def log_people(
     stream: rr.RecordingStream, path: str, moments: Moments, people: FloatArray, told: Sequence[str]
 ) -> None:
     """Show the people [M, T+1, P, 2] at each moment."""

@@ -6,7 +6,7 @@ import rerun as rr
 from scenes import Rollouts
 from scenes.scene import ROBOT_RADIUS
 from studio.arrays import Bounds
-from studio.recorder.drawing import y_upwards
+from studio.recorder.views import y_upwards
 from studio.scene.recording import entities
 from studio.scene.recording.moving import people_told, rounded, strips
 from studio.style.palette import Theme, blend

@@ -47,6 +47,8 @@ from studio.style.places import spread_apart
 from studio.style.words import learner_name, number
 
 _MARK = 3.2  # size of marks, pt
+_DOT = 1.5  # diameter of the dot of a seed, pt
+_ASIDE = 3.4  # from the seeds of one learner to those of the next, pt
 _BAND = 0.17  # how opaque a band is
 
 
@@ -180,11 +182,35 @@ def _draw_curves(axes: Axes, page: PaperPage, curves: Sequence[Curve]) -> None:
                 np.where(several, edge, np.nan),
                 **look | {"linewidth": 0.4, "marker": ""},
             )
-    for curve in curves:
+    for index, curve in enumerate(curves):
         places = _along(page, curve.pairs.tolist(), axes.get_xlim())
         marked = with_room(places, [_MARK] * len(places), 0.5 * _MARK)
         look = _look(curve.learner)
         axes.plot(curve.pairs, page.up.along(curve.mean), markevery=marked, zorder=3, **look)
+        first, last = axes.get_xlim()
+        aside = (last / first) ** (_ASIDE * (index - (len(curves) - 1) / 2.0) / page.across)
+        _draw_seeds(axes, page, curve, marked, aside)
+
+
+def _draw_seeds(
+    axes: Axes, page: PaperPage, curve: Curve, marked: Sequence[int], aside: float
+) -> None:
+    """Draw a dot for every seed, and the interquartile mean with its interval, where it is marked.
+
+    They stand beside the mean: at so many times its number of pairs.
+    """
+    colour = rgb(learner_pen(curve.learner).colour)
+    for place in marked:
+        samples, pairs = curve.samples[place], aside * float(curve.pairs[place])
+        if len(samples) < 2:
+            continue
+        dots = page.up.along(samples)
+        beside = np.full(len(samples), pairs)
+        axes.scatter(beside, dots, s=_DOT**2, color=colour, alpha=0.55, linewidths=0.0, zorder=2.5)
+        ends = page.up.along([curve.middle_low[place], curve.middle_high[place]])
+        axes.vlines([pairs], *ends, color=colour, linewidth=0.5, zorder=2.5)
+        middle = page.up.along([curve.middle[place]])
+        axes.plot([pairs], middle, "_", color=colour, markersize=_ASIDE, zorder=2.6)
 
 
 def _name_curves(figure: Figure, page: PaperPage, index: int, curves: Sequence[Curve]) -> None:

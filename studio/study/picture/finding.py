@@ -7,7 +7,7 @@ from studio.painter.boxes import Box
 from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
-from studio.study.picture.heads import draw_head, head_height
+from studio.study.picture.heads import draw_teacher_head, teacher_head_height
 from studio.study.picture.progress import draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
@@ -27,9 +27,11 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the title and the notes
+    canvas: Canvas  # with the notes
     results: StudyResults  # of the teachers that there is room for
-    heading: Box  # where the title lies; the number of pairs is at its right
+    titles: tuple[tuple[str, ...], ...]  # wordings of the finding after each number of pairs
+    subtitles: tuple[str, ...]  # wordings of what was studied
+    room: float  # for title and subtitle, px; the number of pairs is at their right
     panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher with a head and a plot below it
     scales: Scales  # that the plots of all teachers share
 
@@ -60,9 +62,12 @@ def lay_out_finding(
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
     room = page.width - max(widths) - kind.title
-    heading = draw_heading(
-        canvas, page, findings_told(results), study_subtitles(results, left_out), room
+    subtitles = tuple(study_subtitles(results, left_out))
+    # what is known by then: a film must not state the last finding while it shows the first pairs
+    titles = tuple(
+        tuple(findings_told(results.between(0.0, stage.reached))) for stage in results.stages
     )
+    heading = draw_heading(canvas.copy(), page, titles[-1], subtitles, room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
     top = page.bottom - len(notes) * _NOTE_STEP * kind.small
     for index, line in enumerate(notes):
@@ -72,20 +77,23 @@ def lay_out_finding(
     panels = []
     boxes = _panels(body, max(len(results.teachers), 1), canvas.gap)
     for teacher, box in zip(results.teachers, boxes, strict=False):
-        head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
+        head = Box(box.left, box.top, box.right, box.top + teacher_head_height(canvas, results))
         plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
         panels.append((teacher, head, plot))
-    return FindingPage(canvas, results, heading, tuple(panels), Scales.around(results))
+    scales = Scales.around(results)
+    return FindingPage(canvas, results, titles, subtitles, room, tuple(panels), scales)
 
 
 def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
-    corner, size = (page.heading.right, page.heading.top), canvas.type.title
-    ink = canvas.theme.ink
+    area, size, ink = canvas.page, canvas.type.title, canvas.theme.ink
+    titles = page.titles[max(len(stage.sizes), 1) - 1]
+    draw_heading(canvas, area, titles, page.subtitles, page.room)
+    corner = (area.right, area.top)
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
     for teacher, head, plot in page.panels:
-        draw_head(canvas, head, stage, teacher)
+        draw_teacher_head(canvas, head, stage, teacher)
         draw_regret(canvas, plot, stage, teacher, page.scales)
     return canvas
 

@@ -10,7 +10,7 @@ from studio.style.palette import teacher_colour
 from studio.style.words import teacher_name
 
 
-def head_height(canvas: Canvas, results: StudyResults) -> float:
+def teacher_head_height(canvas: Canvas, results: StudyResults) -> float:
     """How high the head of a teacher is, px."""
     kind, unit = canvas.type, canvas.unit
     # two lines, each of which may end a pixel lower than it is high
@@ -18,7 +18,7 @@ def head_height(canvas: Canvas, results: StudyResults) -> float:
     return height + (2 * unit + kind.small + 1 if results.paired else 0)
 
 
-def draw_head(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher) -> None:
+def draw_teacher_head(canvas: Canvas, box: Box, stage: Stage, teacher: Teacher) -> None:
     """Write who was learned from, their parameters, and who learned better."""
     kind, unit = canvas.type, canvas.unit
     colour = canvas.theme.legible(teacher_colour(teacher.name))

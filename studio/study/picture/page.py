@@ -14,7 +14,7 @@ from studio.painter.lettering import SEMIBOLD
 from studio.painter.pens import pen_mark
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.finding import MOST_TEACHERS, SIZE
-from studio.study.picture.heads import draw_head, head_height
+from studio.study.picture.heads import draw_teacher_head, teacher_head_height
 from studio.study.picture.minds import draw_calibration, draw_reward, draw_risk, draw_shapes
 from studio.study.picture.progress import draw_agreement
 from studio.study.picture.scales import Scales
@@ -122,14 +122,14 @@ def _lay_out_column(
     canvas: Canvas, box: Box, results: StudyResults, teacher: Teacher
 ) -> TeacherColumn:
     unit, gap = canvas.unit, _BETWEEN * canvas.unit
-    head = Box(box.left, box.top, box.right, box.top + head_height(canvas, results))
+    head = Box(box.left, box.top, box.right, box.top + teacher_head_height(canvas, results))
     rest = Box(box.left, head.bottom + 0.8 * gap, box.right, box.bottom)
     shapes = risk = calibration = None
     if rest.width < _NARROW * canvas.type.small:
         if results.shaped and rest.height < _LOW * canvas.type.small:
             shapes, reward, risk, agreement = rest.rows((0.95, 1.63, 1.63, 1.3), gap)
         elif results.shaped:
-            rows = rest.rows((1.05, 1.35, 1.35, 0.9, 1.2), gap)
+            rows = rest.rows((0.95, 1.45, 1.45, 0.8, 1.2), gap)
             shapes, reward, risk, calibration, agreement = rows
         else:
             reward, calibration, agreement = rest.rows((1.7, 1.0, 1.0), gap)
@@ -151,7 +151,7 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
     canvas.text(corner, reached(stage), kind.title, ink, SEMIBOLD, anchor="right", line="top")
     for column in page.columns:
         teacher = column.teacher
-        draw_head(canvas, column.head, stage, teacher)
+        draw_teacher_head(canvas, column.head, stage, teacher)
         if column.shapes is not None:
             draw_shapes(canvas, column.shapes, stage, teacher, scales)
         draw_reward(canvas, column.reward, stage, teacher, scales)

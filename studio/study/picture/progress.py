@@ -165,16 +165,19 @@ def _draw_seeds(
         curve.pairs, curve.samples, curve.middle, curve.middle_low, curve.middle_high, strict=False
     ):
         x = across.at(float(pairs)) + aside
+        if len(samples) > 1:
+            ends = up.along(scale * np.array([low, high]))
+            canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)
         for sample in (scale * samples).tolist():
             if 0.0 < sample < up.low:
                 below = Pen(faint, (), "triangle_down")
                 pen_mark(canvas, (x, up.start - 4 * unit), below, 2.6 * unit, canvas.theme.panel)
             else:
-                canvas.disc((x, up.at(sample)), 1.9 * unit, faint)
+                # with an outline, so that dots can be told from the bar that they lie on
+                canvas.disc((x, up.at(sample)), 2.8 * unit, pen.colour)
+                canvas.disc((x, up.at(sample)), 2.8 * unit - max(0.8, 0.8 * unit), faint)
         if len(samples) > 1:
-            ends = up.along(scale * np.array([low, high]))
-            canvas.line(np.stack([[x, x], ends], axis=-1), pen.colour, unit)
-            y, reach = up.at(scale * float(middle)), 0.45 * _ASIDE * unit
+            y, reach = up.at(scale * float(middle)), 0.55 * _ASIDE * unit
             canvas.line([(x - reach, y), (x + reach, y)], pen.colour, 2.4 * unit)
 
 

@@ -138,7 +138,7 @@ def test_robots_turn_red_when_they_touch_something_and_not_before(default):
     touching = with_contacts(rollouts, person_step=3)
     page = lay_out_film(touching, (1280, 720))
     reds = []
-    for canvas in play_action(page, touching, 0, np.array([0.0, 0.2, 0.3, 0.4])):
+    for canvas in play_action(page, 0, np.array([0.0, 0.2, 0.3, 0.4])):
         said = texts(canvas)
         assert f"{4 if len(reds) > 1 else 0} of 4" in said
         # the last of these is the end, which says how sure the share is
@@ -161,9 +161,9 @@ def test_the_first_contact_stands_still_and_is_named(default, thing):
     assert halted == 21
     assert sum(still) >= halted - 1 + pause
     page = lay_out_film(touching, SIZE)
-    (canvas,) = play_action(page, touching, 0, np.array([0.2]))
+    (canvas,) = play_action(page, 0, np.array([0.2]))
     assert f"first contact: a {thing}, 0.2 s" in texts(canvas)
-    (later,) = play_action(page, touching, 0, np.array([0.3]))
+    (later,) = play_action(page, 0, np.array([0.3]))
     assert not any("first contact" in text for text in texts(later))
 
 
@@ -172,7 +172,7 @@ def test_people_and_walls_that_are_touched_are_told_apart(default):
     pictures = []
     for steps in ({"person_step": 2}, {"wall_step": 2}):
         touching = with_contacts(rollouts, **steps)
-        (canvas,) = play_action(lay_out_film(touching, SIZE), touching, 0, np.array([0.4]))
+        (canvas,) = play_action(lay_out_film(touching, SIZE), 0, np.array([0.4]))
         pictures.append(canvas.pixels.copy())
     assert not np.array_equal(*pictures)
 
@@ -194,17 +194,24 @@ def test_actions_on_which_teachers_disagree_come_first_then_those_with_contacts(
     assert telling_order(rollouts, []) == [2, 0, 1, 3]
     first, *_ = drawn(rollouts, [one, differs])
     page = lay_out_film(rollouts, SIZE)
-    (canvas,) = play_action(page, rollouts, 0, np.array([0.0]))
+    (canvas,) = play_action(page, 0, np.array([0.0]))
     side = canvas.clipped(page.side).pixels
     assert np.array_equal(_part(first[0], page.side), side)
 
 
-def test_a_film_of_a_sample_says_so(default):
+def test_a_film_of_a_sample_says_so_and_ends_with_what_all_rollouts_tell(default):
     rollouts, judgements = default
-    few = rollouts.keep_paths(3)
-    page = lay_out_film(few.with_paths(), (1280, 720), sample_of=few.count)
-    (canvas,) = play_action(page, few.with_paths(), 0, np.array([0.2]))
-    assert any("a sample, 3 of 4 rollouts" in text for text in texts(canvas))
+    few = with_contacts(rollouts).keep_paths(3)
+    few.person_step[0, 3] = 2  # in the rollout whose path is not kept
+    page = lay_out_film(few, (1280, 720))
+    said = [texts(canvas) for canvas in play_action(page, 0, np.array([0.2, 0.4]))]
+    assert any("2 actions × 4 rollouts" in text for text in said[0])
+    assert any("a sample, 3 of 4 rollouts" in text for text in said[0])
+    assert "0 of 3" in said[1]
+    assert any(text.startswith("a person: 25 % [") for text in said[1])
+    assert any(text.endswith("of all 4") for text in said[1])
+    (second,) = play_action(page, 1, np.array([0.4]))
+    assert "× 1 of 4" in texts(second)
     *_, ending = drawn(few, judgements)
     assert np.array_equal(ending[0], compose_picture(few, judgements, SIZE).pixels)
 
@@ -217,7 +224,7 @@ def test_histograms_of_all_actions_have_one_scale_from_the_start(default):
     assert gap.most >= 1
     page = lay_out_film(rollouts, SIZE)
     for index in range(2):
-        shown = play_action(page, rollouts, index, np.array([0.0, 0.4]))
+        shown = play_action(page, index, np.array([0.0, 0.4]))
         assert all(str(progress.most) in texts(canvas) for canvas in shown)
 
 
@@ -236,7 +243,7 @@ def test_histograms_of_all_actions_have_one_scale_from_the_start(default):
 def test_texts_stay_on_the_page_and_off_one_another(case, size):
     rollouts = some_rollouts(**case)
     page, last = lay_out_film(rollouts, size), len(rollouts.actions) - 1
-    for canvas in play_action(page, rollouts, last, np.linspace(0.0, rollouts.horizon, 3)):
+    for canvas in play_action(page, last, np.linspace(0.0, rollouts.horizon, 3)):
         check_texts(canvas)
 
 
@@ -246,7 +253,7 @@ def test_the_film_runs_in_real_time_or_faster_and_says_so(default):
     assert 20.0 / play_speed(20.0) <= 2.0
     assert 1000.0 / play_speed(1000.0) <= 2.0
     rollouts, _ = default
-    (canvas,) = play_action(lay_out_film(rollouts, SIZE), rollouts, 0, np.array([0.2]))
+    (canvas,) = play_action(lay_out_film(rollouts, SIZE), 0, np.array([0.2]))
     assert any("1× real time" in text.text for text in canvas.texts)
     assert any(text.text == "0.2 s of 0.4 s" for text in canvas.texts)
 

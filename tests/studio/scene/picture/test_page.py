@@ -141,7 +141,7 @@ def test_texts_stay_on_the_page_and_off_one_another(name, size, theme):
 def test_texts_of_a_film_stay_on_the_page_and_off_one_another(name, size, theme):
     rollouts = the_case(name)[0].with_paths()
     page, last = lay_out_film(rollouts, size, THEMES[theme]), len(rollouts.actions) - 1
-    for canvas in play_action(page, rollouts, last, np.array([0.0, rollouts.horizon])):
+    for canvas in play_action(page, last, np.array([0.0, rollouts.horizon])):
         check_texts(canvas)
 
 

@@ -9,7 +9,6 @@ from scenes import MetaAction, Rollouts
 from studio.scene.judgements import Judgement, judge, utilities
 from studio.scene.recording.pages import disagreements_page, scene_page, scene_summary
 from studio.scene.recording.write import write_recording
-from studio.style.words import signed_number
 from tests.entities import read_entities
 from tests.studio.scene.made_up import make_rollouts
 
@@ -58,15 +57,13 @@ def test_pages_tell_how_far_values_are_off(rollouts: Rollouts) -> None:
     reference = np.tile(utilities(rollouts), (1, 40))
     judgements = judge(rollouts, reference=reference)
     assert "held against 120 rollouts" in scene_summary(rollouts, judgements)
-    page = scene_page(rollouts, judgements, {})
-    assert "By how much V from 3 rollouts is too large on average" in page
-    assert signed_number(float(judgements[1].reference.bias[0])) in page
+    assert "V from 3 rollouts is off on average" in scene_page(rollouts, judgements, {})
 
 
 def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
     eu, *_ = judge(rollouts)
     page = scene_summary(rollouts, (eu, replace(eu, teacher="my aunt")))
-    assert "EU goes by the mean utility; V is" in page
+    assert "EU goes by the mean utility; V is" in " ".join(page.split())
     assert "my aunt goes" not in page
 
 

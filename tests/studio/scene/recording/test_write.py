@@ -211,7 +211,6 @@ def test_outcomes_are_those_that_were_given(contents: Contents, rollouts: Rollou
             "deviation_m": rollouts.deviation_m,
             "progress_m": rollouts.progress_m,
             "smoothness": rollouts.features[..., 3],
-            "collisions": rollouts.features[..., 4],
             "people_touched": rollouts.people_touched,
             "person_step": rollouts.person_step,
             "wall_step": rollouts.wall_step,

@@ -4,8 +4,8 @@ import pytest
 
 from studio.arrays import PixelArray
 from studio.painter.canvas import Canvas
-from studio.recorder.figures import palette_png
 from studio.style.palette import ACTION_COLOURS, LIGHT
+from studio.style.png import palette_png
 
 
 def decoded(png: bytes) -> PixelArray:
