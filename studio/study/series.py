@@ -86,15 +86,15 @@ def _plots_of(results: StudyResults, teacher: Teacher) -> Iterator[tuple[str, Pa
         name: str, title: str, found: list[Curve], place: Place = np.asarray,
         truth: FloatArray | None = None,
     ) -> tuple[str, PairPlot]:  # fmt: skip
-        return name, PairPlot(f"{called}: {title}", tuple(found), truth, place)
+        return name, PairPlot(title, tuple(found), truth, place)
 
     logarithm = _logarithm(results.regrets)
-    yield plot(REGRET, "log10 of regret, %", curves("regret_percent"), logarithm)
+    yield plot(REGRET, f"{called}: log10 of regret, %", curves("regret_percent"), logarithm)
     percents = [curve.mapped(lambda share: 100.0 * share) for curve in curves("agreement")]
-    yield plot(AGREEMENT, "best picks, %", percents)
+    yield plot(AGREEMENT, f"{called}: best picks, %", percents)
     attained = [along(curve, sizes, curve.mean) for curve in curves("nll_teacher")[:1]]
     losses = curves("nll")
-    yield plot(LIKELIHOOD, "log-loss, nats", losses, truth=next(iter(attained), None))
+    yield plot(LIKELIHOOD, f"{called}: log-loss, nats", losses, truth=next(iter(attained), None))
     truths = [*unit_vector(teacher.reward), *teacher.parameters.numbers]
     titles = [*(f"θ of {feature}" for feature in FEATURES), *CptParameters.SYMBOLS]
     numbers = [

@@ -7,13 +7,7 @@ import pytest
 
 from learners import TEACHERS, InputError, learning_curves, paired_differences
 from learners.seeds import Stream, generator
-from learners.studying.curves import (
-    RESAMPLES,
-    Spread,
-    mean_interval,
-    middle_interval,
-    middle_mean,
-)
+from learners.studying.curves import RESAMPLES, Spread, mean_interval, middle_interval, middle_mean
 
 
 @pytest.fixture
