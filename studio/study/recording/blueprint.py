@@ -1,6 +1,6 @@
 """How a recording of a study looks when it opens: its tabs, views, and where its time stands."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import rerun.blueprint as rrb
 
@@ -80,24 +80,22 @@ def teacher_tab(results: StudyResults, plots: Plots, teacher: Teacher) -> rrb.Co
 
 def parameters_tab(results: StudyResults, plots: Plots) -> rrb.Container:
     """θ/‖θ‖ and the parameters of prospect theory beside the truth, a tab a teacher."""
-    return _tab_a_teacher(
-        results,
-        "Parameters",
-        lambda teacher: rrb.Grid(
-            *plot_views(results, plots, [*THETA, *PARAMETERS], teacher), grid_columns=len(THETA)
-        ),
-    )
+    tabs = []
+    for teacher in results.teachers:
+        views = plot_views(results, plots, [*THETA, *PARAMETERS], teacher)
+        name = f"Parameters of {short_teacher_name(teacher)}"
+        tabs.append(rrb.Grid(*views, grid_columns=len(THETA), name=name))
+    return rrb.Tabs(*tabs, active_tab=0, name="Parameters")
 
 
 def families_tab(results: StudyResults, plots: Plots) -> rrb.Container:
     """Regret by family, a tab a teacher; beside, the scenes that tell most."""
-    names = [family_plot(family) for family in results.families]
-
-    def tab(teacher: Teacher) -> rrb.Container:
+    tabs, names = [], [family_plot(family) for family in results.families]
+    for teacher in results.teachers:
         grid = rrb.Grid(*plot_views(results, plots, names, teacher), grid_columns=2)
-        return _beside(grid, page_view(entities.scenes_about(teacher.name), "Scenes"), None)
-
-    return _tab_a_teacher(results, "Families", tab)
+        page = page_view(entities.scenes_about(teacher.name), "Scenes")
+        tabs.append(_beside(grid, page, f"Families of {short_teacher_name(teacher)}"))
+    return rrb.Tabs(*tabs, active_tab=0, name="Families")
 
 
 def calibration_tab(results: StudyResults, plots: Plots) -> rrb.Container:
@@ -147,18 +145,7 @@ def plot_views(
     ]
 
 
-def _tab_a_teacher(
-    results: StudyResults, name: str, tab: Callable[[Teacher], rrb.Container]
-) -> rrb.Container:
-    """A tab that holds one a teacher."""
-    tabs = [
-        rrb.Horizontal(tab(teacher), name=f"{name} of {short_teacher_name(teacher)}")
-        for teacher in results.teachers
-    ]
-    return rrb.Tabs(*tabs, active_tab=0, name=name)
-
-
-def _beside(part: Part, page: rrb.View, name: str | None) -> rrb.Container:
+def _beside(part: Part, page: rrb.View, name: str) -> rrb.Container:
     """A part of a tab with a page at its right, above which stands what marks mean."""
     right = rrb.Vertical(painted_view(entities.KEY, "Marks"), page, row_shares=[1, 3])
     return rrb.Horizontal(part, right, column_shares=[5, 3], name=name)

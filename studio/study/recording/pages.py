@@ -9,6 +9,7 @@ from studio.recorder.markdown import table
 from studio.study.again import study_command
 from studio.study.links import Links
 from studio.study.results import StudyResults
+from studio.study.rows import setting_rows, teacher_rows
 from studio.study.words import learner_called, lesson, teacher_called
 from studio.style.words import action_label, counted, learner_name, number, teacher_name
 
@@ -183,21 +184,6 @@ def about_study_page(
     results: StudyResults, settings: Mapping[str, object], versions: Mapping[str, str]
 ) -> str:
     """Everything there is to know about a study."""
-    study = results.study
-    told: dict[str, object] = {
-        "fits": f"{len(results.fits)}, of which {results.unsettled} did not converge",
-        "pairs asked more than once": f"at most {results.repeated} of a fit",
-        **{
-            f"learner: {learner_name(name)}": ", ".join(
-                f"{key} {given}" for key, given in description.items() if key != "name"
-            )
-            for name, description in study.get("learners", {}).items()
-            if name in results.learners
-        },
-        **{name: study[name] for name in ("held_out", "bank") if name in study},
-        **settings,
-        **{f"version: {name}": version for name, version in versions.items()},
-    }
     heads = ["teacher", *CptParameters.SYMBOLS, "β", "r", "w", f"θ: {', '.join(FEATURES)}"]
     return "\n".join(
         [
@@ -209,7 +195,7 @@ def about_study_page(
             "",
             _WHAT_ONE_SEES,
             "",
-            *table([*heads, "certainty"], "lrrrrrrrllr", _teacher_rows(results)),
+            *table([*heads, "certainty"], "lrrrrrrrllr", teacher_rows(results)),
             "",
             "## Make it again",
             "",
@@ -217,25 +203,6 @@ def about_study_page(
             study_command(results, settings),
             "```",
             "",
-            *table(
-                ["setting", "value"],
-                "ll",
-                [[name, str(each) or "–"] for name, each in told.items()],
-            ),
+            *table(["setting", "value"], "ll", setting_rows(results, settings, versions)),
         ]
     )
-
-
-def _teacher_rows(results: StudyResults) -> list[list[str]]:
-    """Who the teachers are, and how certain their answers were."""
-    rows = []
-    for teacher in results.teachers:
-        fits = [fit for fit in results.fits if fit["teacher"] == teacher.name]
-        known = [fit["certainty"] for fit in fits if fit["certainty"] is not None]
-        numbers = (*teacher.parameters.numbers, teacher.beta, teacher.reference)
-        reward, certainty = ", ".join(map(number, teacher.reward)), "–"
-        if known:
-            certainty = f"{np.mean(known):.2f}"
-        name = teacher_name(teacher.name)
-        rows.append([name, *map(number, numbers), teacher.weighting, reward, certainty])
-    return rows
