@@ -96,6 +96,7 @@ def curves_view(
     *,
     legend: rrb.Corner2D | None = None,
     y_range: tuple[float, float] | None = None,
+    numbers: tuple[int, int] | None = None,
 ) -> rrb.View:
     """A view of all curves at a path and below it, over time.
 
@@ -104,14 +105,22 @@ def curves_view(
         title: of the view.
         legend: in which corner the curves are named; nowhere if left out.
         y_range: what the view shows upwards; if left out, all that there is.
+        numbers: from where to where it shows a timeline that counts; if left out, all that there
+            is, with the first and the last marks half cut off by the edges.
     """
     return rrb.TimeSeriesView(
         origin=f"/{path}",
         name=title,
+        axis_x=None if numbers is None else rrb.TimeAxis(view_range=_count_range(*numbers)),
         axis_y=None if y_range is None else rrb.ScalarAxis(range=y_range),
         plot_legend=rrb.PlotLegend(legend, visible=legend is not None),
         background=_PAPER,
     )
+
+
+def _count_range(first: int, last: int) -> rr.TimeRange:
+    start, end = (rr.TimeRangeBoundary.absolute(seq=number) for number in (first, last))
+    return rr.TimeRange(start=start, end=end)
 
 
 def log_states(

@@ -12,7 +12,6 @@ import pyarrow as pa
 from numpy.typing import ArrayLike
 
 from learners import (
-    PARAMETER_COLUMNS,
     Curve,
     Difference,
     InputError,
@@ -32,18 +31,6 @@ from learners.studying.table import METADATA
 from studio.arrays import FloatArray
 from studio.study.fits import Row, parameters_of
 from studio.study.regret import RegretRange
-
-CURVE_COLUMNS = (
-    "regret_percent",
-    "regret",
-    "agreement",
-    "nll",
-    "nll_teacher",
-    "theta_cosine",
-    "theta_unit",
-    *PARAMETER_COLUMNS,
-)
-"""Columns that are followed as means over seeds."""
 
 FAMILY_COLUMNS = ("regret", "regret_percent")
 """Columns that are followed in each family of scenes, as means over seeds."""

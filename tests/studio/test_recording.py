@@ -201,7 +201,14 @@ def test_a_study_can_be_cut_to_some_numbers_of_pairs(study_recording: Path) -> N
 
 
 @pytest.mark.parametrize(
-    "name", ["scene-edition-1", "scene-edition-2", "learning-edition-1", "comparison-edition-2"]
+    "name",
+    [
+        "scene-edition-1",
+        "scene-edition-2",
+        "learning-edition-1",
+        "learning-edition-2",
+        "comparison-edition-2",
+    ],
 )
 def test_recordings_of_an_older_edition_are_painted(name: str, old: Callable[[str], Path]) -> None:
     recording = old(name)

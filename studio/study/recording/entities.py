@@ -6,18 +6,17 @@ APPLICATION = "prospect_studio_learning"
 """Blueprints belong to an application, so each kind of recording is one of its own."""
 
 TIMELINE = "pairs"
-"""The one timeline: how many pairs were learned from."""
+"""The timeline that plays: how many pairs were learned from."""
 
-FIGURES = "figures"
+ROWS = "row"
+"""The timeline of the tables: the number of a row."""
+
 SUMMARY = "summary"
-SCENES = "scenes"
 ABOUT = "about"
+KEY = "key"
 STUDY = "/__properties/study"
 
-REGRET, AGREEMENT, LIKELIHOOD = "regret", "agreement", "likelihood"
-GAIN_WEIGHTS, LOSS_WEIGHTS, VALUES = "weights_of_gains", "weights_of_losses", "values"
-PARAMETERS, CALIBRATION, FAMILIES = "parameters", "calibration", "families"
-"""Names of the figures about a teacher, see `figure`."""
+LEARNER_TABLE, FIT_TABLE, SCENE_TABLE = "tables/learners", "tables/fits", "tables/scenes"
 
 
 def page(teacher: str) -> str:
@@ -25,31 +24,27 @@ def page(teacher: str) -> str:
     return f"pages/{entity_part(teacher)}"
 
 
+def scenes_about(teacher: str) -> str:
+    """The page of the scenes that tell most about who learned from a teacher."""
+    return f"scenes/{entity_part(teacher)}"
+
+
 def fits(teacher: str, learner: str) -> str:
     """The numbers of every fit, one a seed."""
     return f"fits/{entity_part(teacher)}/{entity_part(learner)}"
 
 
-def curves(teacher: str, learner: str) -> str:
-    """Means over seeds, with their spread."""
-    return f"curves/{entity_part(teacher)}/{entity_part(learner)}"
+def curves(teacher: str, name: str) -> str:
+    """A plot of what was learned from a teacher, over the number of pairs."""
+    parts = (entity_part(part) for part in (teacher, *name.split("/")))
+    return f"curves/{'/'.join(parts)}"
 
 
-def families(teacher: str, learner: str) -> str:
-    """Means over seeds in each family of scenes, with their spread."""
-    return f"families/{entity_part(teacher)}/{entity_part(learner)}"
+def shapes(teacher: str) -> str:
+    """The figure of how a teacher weighs and values, and what learners make of it."""
+    return f"shapes/{entity_part(teacher)}"
 
 
-def figure(teacher: str, name: str) -> str:
-    """A figure about what was learned from a teacher."""
-    return f"{FIGURES}/{entity_part(teacher)}/{name}"
-
-
-def moving(figure_path: str) -> str:
-    """What changes in a figure with the number of pairs."""
-    return f"{figure_path}/learnt"
-
-
-def truth(figure_path: str) -> str:
-    """What the teacher is like, above what was learnt."""
-    return f"{figure_path}/truth"
+def calibration(teacher: str, learner: str) -> str:
+    """The plot of how often a teacher does what a learner predicts."""
+    return f"calibration/{entity_part(teacher)}/{entity_part(learner)}"

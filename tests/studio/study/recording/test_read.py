@@ -29,3 +29,11 @@ def test_a_study_of_the_first_edition_is_read(old: Callable[[str], Path]) -> Non
     assert isinstance(read, StudyRecording)
     assert read.results.table.num_rows == 8
     assert sorted(set(read.results.table["pairs"].to_pylist())) == [25, 100]
+
+
+def test_a_study_of_the_second_edition_is_read(old: Callable[[str], Path]) -> None:
+    read = read_recording(old("learning-edition-2"))
+    assert isinstance(read, StudyRecording)
+    assert read.results.table.num_rows == 16
+    assert sorted(set(read.results.table["pairs"].to_pylist())) == [25, 100]
+    assert set(read.results.scenes) == set(range(16))
