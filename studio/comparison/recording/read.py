@@ -12,8 +12,7 @@ from studio.scene.recording.read import read_scene
 def read_comparison(contents: Contents) -> tuple[Comparison, tuple[Judgement, ...]]:
     """Read back from a recording two actions side by side, and what each teacher thinks of them.
 
-    Positions and headings are rounded as the recording is. Before edition 3 all recordings told
-    which action is on which side.
+    Positions and headings are rounded. Before edition 3 all recordings told the names of actions.
 
     Raises:
         InputError: if something is missing, or contradicts itself.
