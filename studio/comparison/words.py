@@ -8,7 +8,7 @@ from studio.comparison.comparison import SIDES, ended_after
 from studio.scene.certainty import wilson
 from studio.scene.framing import in_view
 from studio.scene.measures import NOTHING, PERSON, WALL, contact_kinds
-from studio.style.words import contacts_told, counted, number, share_told
+from studio.style.words import counted, number, share_told
 
 
 def contacts_in_detail(people: int, walls: int, count: int) -> list[str]:
@@ -85,11 +85,13 @@ def playing_told(rollouts: Rollouts, side: int) -> list[str]:
     """
     touched, played = rollouts.touched[side], rollouts.paths
     so_far = [
-        contacts_told(int(touched[:ended].sum()), ended, rollouts.count)
-        for ended in ended_after(rollouts).tolist()
+        f" · {int(touched[:ended].sum())} of {ended} with contact"
+        + (" so far" if ended < rollouts.count else "")
+        for ended in ended_after(rollouts)[1:].tolist()
     ]
+    before = ["", *so_far]
     said = [f"{counted(played, 'outcome')}, one at a time"]
     for place in range(played):
         playing = f"Outcome {place + 1} of {played}"
-        said += [f"{playing} · {told}" if told else playing for told in so_far[place : place + 2]]
+        said += [f"{playing}{told}" for told in before[place : place + 2]]
     return said

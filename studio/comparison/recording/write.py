@@ -75,7 +75,7 @@ def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb
         for side, name in zip(SIDES, rollouts.names, strict=True)
     ]
     tables = [
-        table_view(of_scene.outcomes(name), f"{title}: a row an outcome", "rollout", COLUMNS)
+        table_view(of_scene.outcomes(name), f"{title} · a row an outcome", "rollout", COLUMNS)
         for title, name in sides
     ]
     stories = [story_side(rollouts, title, name, bounds) for title, name in sides]
@@ -92,11 +92,11 @@ def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb
 def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """The outcomes of one side's action, one at a time, and below them the dots."""
     crowd = crowd_told(rollouts.scene, bounds) or "nobody"
-    told = f"{title}: the robot, {crowd} (bar: {scale_length(bounds):g} m)"
+    told = f"{title} · the robot, {crowd} (bar: {scale_length(bounds):g} m)"
     dots, stands_for = entities.dots(name), dots_told(rollouts.count, MOST_DOTS)
     return rrb.Vertical(
         world_view([f"{entities.story(name)}/**"], bounds, told),
-        page_view(f"{dots}/so_far", f"{title}: so far"),
+        page_view(f"{dots}/so_far", f"{title} · so far"),
         painted_view(dots, f"{title} · {stands_for}", (0.0, 0.0, *FIGURE_SIZE)),
         row_shares=[20, 4, 17],
     )
@@ -105,7 +105,7 @@ def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb
 def whole_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """All paths under one side's action at once, and how its outcomes are distributed."""
     sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count}"
-    title = f"{title}: {counted(rollouts.paths, 'path')}{sample}"
+    title = f"{title} · {counted(rollouts.paths, 'path')}{sample}"
     shown = [(each.feature, each.title) for each in measured(rollouts) if each.unit]
     plots = [
         bars_view(of_scene.histogram(feature, name), heading, of_scene.any_action(feature))

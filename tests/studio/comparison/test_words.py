@@ -54,9 +54,9 @@ def test_what_is_said_grows_with_the_outcomes_that_have_ended():
     assert playing_told(comparison.rollouts, 0) == [
         "3 outcomes, one at a time",
         "Outcome 1 of 3",
-        "Outcome 1 of 3 · 1 of 1 so far",
-        "Outcome 2 of 3 · 1 of 1 so far",
-        "Outcome 2 of 3 · 1 of 2 so far",
-        "Outcome 3 of 3 · 1 of 2 so far",
+        "Outcome 1 of 3 · 1 of 1 with contact so far",
+        "Outcome 2 of 3 · 1 of 1 with contact so far",
+        "Outcome 2 of 3 · 1 of 2 with contact so far",
+        "Outcome 3 of 3 · 1 of 2 with contact so far",
         "Outcome 3 of 3 · 2 of 3 with contact",
     ]
