@@ -53,7 +53,7 @@ def numbers_in(recorded: Recorded) -> int:
     """How many numbers a recording keeps: poses, positions, outcomes, those held against."""
     rollouts = recorded.rollouts.keep_paths(MOST_PATHS)
     paths = rollouts.robot.size + rollouts.pedestrians.size + rollouts.without_robot.size
-    outcomes = rollouts.features.size + rollouts.person_step.size + rollouts.wall_step.size
+    outcomes = 8 * rollouts.person_step.size  # the columns of the table of an action's outcomes
     reference = recorded.judgements[0].reference
     return paths + outcomes + (reference.utilities.size if reference else 0)
 

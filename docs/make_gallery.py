@@ -13,11 +13,10 @@ import cv2
 
 from studio.orchestrator import Studio
 from studio.recording import Excerpt, Look
-from studio.scene.sources import Source
 from tests.headless import headless_viewer
 
 PICTURES = Path(__file__).parent / "pictures"
-HERO = Source("intersection", number=11)
+LEAD = Path(__file__).with_name("lead_scene.toml")
 
 
 def main() -> None:
@@ -32,7 +31,7 @@ def main() -> None:
 
 def draw_scene(studio: Studio) -> None:
     """The picture of a scene in light and dark, a film of it, and its recording."""
-    recording = studio.record(HERO, png=False, mp4=False).files[0]
+    recording = studio.record(LEAD, png=False, mp4=False).files[0]
     studio.render(recording, PICTURES / "scene.png")
     studio.render(recording, PICTURES / "scene_dark.png", look=Look(theme="dark"))
     forward = Excerpt(actions=("forward",), end=3.0)
@@ -44,15 +43,16 @@ def draw_scene(studio: Studio) -> None:
 
 def draw_comparison(studio: Studio) -> None:
     """The picture of a comparison, and its recording half way."""
-    recording, picture = studio.compare(HERO, "forward", "slow_down", mp4=False).files
+    recording, picture = studio.compare(LEAD, "forward", "slow_down", mp4=False).files
     picture.replace(PICTURES / "comparison.png")
     show(recording, "story", 12.1, {"Which would you rather the robot did?": "comparing"})
 
 
 def draw_study(studio: Studio) -> None:
     """The picture of a study, the figure for a paper, and the recording."""
-    _, picture, recording, *_ = studio.learn(figure=PICTURES / "curves.svg").files
+    _, picture, second, recording, *_ = studio.learn(figure=PICTURES / "curves.svg").files
     picture.replace(PICTURES / "learning.png")
+    second.replace(PICTURES / "learning_2.png")
     show(recording, "pairs", 2000, {"T&K": "learning_recording", "Families": "families"})
 
 

@@ -37,7 +37,7 @@ def frames_report(frames: Iterable[tuple[int, int]]) -> list[str]:
 def sampled_report(plan: BankPlan, bank: Path) -> list[str]:
     """How much an outcome bank of this plan holds."""
     rows = plan.scenes * len(plan.actions) * plan.rollouts
-    return [f"{bank}  {rows:,} outcomes of {plan.scenes} scenes, {_file_size(bank)}"]
+    return [f"{bank}  {rows} outcomes of {plan.scenes} scenes, {_file_size(bank)}"]
 
 
 def recorded_report(recorded: Recorded) -> list[str]:
@@ -45,6 +45,7 @@ def recorded_report(recorded: Recorded) -> list[str]:
 
     The first table tells people and walls apart, the second has a column a teacher.
     """
+    from studio.scene.true_walks import true_walks_told
     from studio.scene.words import contact_told
 
     rollouts, judgements = recorded.rollouts, recorded.judgements
@@ -57,6 +58,7 @@ def recorded_report(recorded: Recorded) -> list[str]:
         lines.append(f"{label:<{width}}{counts}  {contact_told(rollouts, index)}")
     lines += ["", *_values_lines(judgements, labels, width)]
     lines += ["", *_picks_lines(judgements, rollouts.names, rollouts.count, width)]
+    lines += [f"The recorded people have {told}." for told in true_walks_told(rollouts)[:1]]
     return [line.rstrip() for line in lines] + files_report(recorded.files)
 
 

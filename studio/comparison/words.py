@@ -21,8 +21,8 @@ def contacts_in_detail(people: int, walls: int, count: int) -> list[str]:
     told = share_told(share.value, share.low, share.high)
     if not people + walls:
         return [told]
-    parts = [f"× {people:,} a person"] * bool(people) + [f"□ {walls:,} a wall"] * bool(walls)
-    brief = [f"× {people:,}"] * bool(people) + [f"□ {walls:,}"] * bool(walls)
+    parts = [f"× {people} a person"] * bool(people) + [f"□ {walls} a wall"] * bool(walls)
+    brief = [f"× {people}"] * bool(people) + [f"□ {walls}"] * bool(walls)
     return [f"{told} · {', '.join(parts)}", f"{told} · {', '.join(brief)}", told]
 
 
@@ -46,8 +46,9 @@ def dots_told(count: int, most: int) -> str:
 
 def marks_told(rollouts: Rollouts) -> str:
     """What the marks of contact mean, as far as there are any."""
-    people, walls = (rollouts.people_touched > 0).any(), rollouts.wall_touched.any()
-    marks = ["× a person"] * bool(people) + ["□ a wall"] * bool(walls)
+    kinds = contact_kinds(rollouts)
+    things = {"× a person": PERSON, "□ a wall": WALL}
+    marks = [told for told, kind in things.items() if (kinds == kind).any()]
     return f"touched: {', '.join(marks)}" if marks else ""
 
 

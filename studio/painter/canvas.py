@@ -152,6 +152,12 @@ class Canvas:
             self.pixels, [self._fixed(points)], False, colour, pen(width), cv2.LINE_AA, SHIFT
         )
 
+    def lines(self, lines: FloatArray, colour: Colour, width: float = 1.0) -> None:
+        """Draw several lines at once, each through as many points [K, N, 2]; see `line`."""
+        if len(lines):
+            fixed = list(self._fixed(lines))
+            cv2.polylines(self.pixels, fixed, False, colour, pen(width), cv2.LINE_AA, SHIFT)
+
     def disc(self, centre: Point | FloatArray, radius: float, colour: Colour) -> None:
         """Draw a filled disc, radius in px."""
         # not cv2.circle, whose small discs come out as lozenges

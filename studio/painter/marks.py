@@ -24,16 +24,26 @@ def dot(canvas: Canvas, x: float, y: float, colour: Colour, radius: float) -> No
     canvas.disc((x, y), radius * canvas.unit, colour)
 
 
+def crosses(
+    canvas: Canvas, places: FloatArray, radius: float, colour: Colour, rim: Colour | None = None
+) -> None:
+    """Draw an × at each place [N, 2], px, with as much (px) from its middle to its ends.
+
+    They may have a rim, which lies below all of them.
+    """
+    reach, pen = 0.85 * radius, max(1.0, 0.5 * radius)
+    strokes = reach * np.array([[(-1.0, -1.0), (1.0, 1.0)], [(-1.0, 1.0), (1.0, -1.0)]])
+    lines = (places[:, None, None] + strokes).reshape(-1, 2, 2)
+    if rim is not None:
+        canvas.lines(lines, rim, pen + max(1.6, 0.5 * radius))
+    canvas.lines(lines, colour, pen)
+
+
 def cross(
     canvas: Canvas, at: Point | FloatArray, radius: float, colour: Colour, rim: Colour | None = None
 ) -> None:
-    """Draw an ×, as far (px) from its middle to its ends, perhaps with a rim around it."""
-    reach, pen = np.array([radius, radius]) * 0.85, max(1.0, 0.5 * radius)
-    middle, mirrored = np.asarray(at, dtype=np.float64), reach * (1.0, -1.0)
-    for shade, width in ((rim, pen + max(1.6, 0.5 * radius)), (colour, pen)):
-        if shade is not None:
-            canvas.line([middle - reach, middle + reach], shade, width)
-            canvas.line([middle - mirrored, middle + mirrored], shade, width)
+    """Draw one ×, see `crosses`."""
+    crosses(canvas, np.array([at], dtype=np.float64), radius, colour, rim)
 
 
 def hollow_square(

@@ -57,15 +57,16 @@ def study_titles(results: StudyResults) -> list[str]:
     return rest
 
 
-def findings_told(results: StudyResults) -> list[str]:
-    """Wordings of the study's result: which of two learners has less regret, and of whom.
+def findings_told(stage: Stage) -> list[str]:
+    """Wordings of the result so far: which of two learners has less regret, and of whom.
 
     A teacher counts where the 95 % interval of the paired difference at the most pairs leaves no
     doubt. Without two learners it is a title that states no result.
     """
-    if results.paired is None or not results.sizes:
+    results = stage.results
+    if results.paired is None or not stage.sizes:
         return study_titles(results)
-    pairs, (ours, theirs) = results.sizes[-1], map(learner_name, results.paired)
+    pairs, (ours, theirs) = stage.sizes[-1], map(learner_name, results.paired)
     better, worse, undecided = list[str](), list[str](), list[str]()
     for teacher in results.taught:
         found = results.difference(teacher, *results.paired, pairs)
@@ -76,16 +77,22 @@ def findings_told(results: StudyResults) -> list[str]:
         group.append(teacher_name(teacher.name))
     groups = [(ours, theirs, better), (theirs, ours, worse)]
     if not better and not worse:
-        whole = short = counts = f"whether {ours} has less regret than {theirs} is open"
+        whole = some = short = counts = f"whether {ours} has less regret than {theirs} is open"
     else:
         sure = [(f"{who} has less regret than {other} for ", of) for who, other, of in groups if of]
-        short = ", ".join(claim + listed(names) for claim, names in sure)
-        whole = short + (f", for {listed(undecided)} it is open" if undecided else "")
+        # teachers are called so, since learners have the same names
+        short = ", ".join(
+            f"{claim}{'teacher' if len(names) == 1 else 'teachers'} {listed(names)}"
+            for claim, names in sure
+        )
+        whole = short + (f", open for {listed(undecided)}" if undecided else "")
+        some = short + (", the rest open" if undecided else "")
         everybody = counted(len(better) + len(worse) + len(undecided), "teacher")
         counts = ", ".join(f"{claim}{len(names)} of {everybody}" for claim, names in sure)
     return [
         f"After {counted(pairs, 'pair')}, {whole}",
         _capital(whole),
+        _capital(some),
         f"After {counted(pairs, 'pair')}, {short}",
         _capital(short),
         _capital(counts),

@@ -100,5 +100,5 @@ def contacts_told(touched: int, ended: int, count: int) -> str:
     Of these outcomes, `ended` have ended so far, and `touched` of those had contact.
     """
     if ended == count:
-        return f"{touched:,} of {count:,} with contact"
-    return f"{touched:,} of {ended:,} so far" if ended else ""
+        return f"{touched} of {count} with contact"
+    return f"{touched} of {ended} so far" if ended else ""

@@ -32,7 +32,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A recorded scene with its picture and film, and a comparison."""
     out = tmp_path_factory.mktemp("recorded")
     Studio(out).record("doorway", rollouts=4, horizon=1.0)
-    Studio(out).compare("doorway", "forward", "stop", rollouts=4, horizon=1.0)
+    Studio(out).compare("doorway", "forward", "stop", names=True, rollouts=4, horizon=1.0)
     return out
 
 
@@ -129,7 +129,7 @@ def test_a_film_can_be_cut_to_a_span_of_simulated_time(folder: Path, tmp_path: P
 def test_the_film_of_a_comparison_can_be_cut_to_some_outcomes(folder: Path, tmp_path: Path) -> None:
     path, recording = tmp_path / "x.mp4", folder / "doorway-forward-stop.rrd"
     assert render(recording, "--mp4", path, *QUICK, "--from", "2", "--to", "3").exit_code == 0
-    assert len(frames_of(path)) == 2 * 20
+    assert len(frames_of(path)) == 2 * 13  # each moves for 0.8 s and stands still for 0.5 s
     assert render(recording, "--mp4", path, *QUICK, "--from", "9").exit_code == 2
 
 
@@ -314,21 +314,48 @@ def test_other_endings_are_refused(folder: Path, tmp_path: Path) -> None:
         write_picture(tmp_path / "x.webm", read_recording(folder / "doorway.rrd"), SMALL)
 
 
-def test_compare_says_which_action_is_on_which_side(tmp_path: Path) -> None:
-    arguments = ["compare", "--scene", "open", "stop", "forward", "--rollouts", "3"]
-    result = run(*arguments, "--horizon", "0.5", "--no-mp4", "--out", tmp_path)
+COMPARE = ("compare", "--scene", "open", "--rollouts", "3", "--horizon", "0.5", "--no-mp4", "--out")
+
+
+def test_compare_says_by_name_which_action_is_on_which_side_and_how_it_is_valued(
+    tmp_path: Path,
+) -> None:
+    result = run(*COMPARE, tmp_path, "stop", "forward", "--names")
     assert result.exit_code == 0, result.stderr
     read = read_recording(tmp_path / "open-stop-forward.rrd")
     for side, action in zip("AB", read.comparison.rollouts.actions, strict=True):
         assert f"{side}  {action.name}" in result.stdout
+    assert "T&K" in result.stdout
     assert (tmp_path / "open-stop-forward.png").exists()
+
+
+def test_compare_is_blind_unless_told_otherwise_and_loses_no_other_comparison(
+    tmp_path: Path,
+) -> None:
+    told = [run(*COMPARE, tmp_path, *pair) for pair in (("stop", "forward"), ("stop", "slow_down"))]
+    assert [result.exit_code for result in told] == [0, 0]
+    files = [path.name for path in tmp_path.iterdir()]
+    assert len(files) == 4
+    assert all(name.startswith("open-compare-") for name in files)
+    for words in [*files, *(result.stdout for result in told)]:
+        assert not any(name in words for name in ("stop", "forward", "slow", "T&K"))
+    again = run(*COMPARE, tmp_path, "forward", "stop")
+    assert again.exit_code == 0, again.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(files)
 
 
 def test_names_of_actions_cannot_lead_out_of_the_folder(tmp_path: Path) -> None:
     actions = (MetaAction("left/right", 1.0, 0.0), MetaAction("../up", 0.5, 0.0))
     files = (
         Studio(tmp_path)
-        .compare("open", "left/right", "../up", actions=actions, rollouts=2, horizon=0.5, mp4=False)
+        .compare(
+            *("open", "left/right", "../up"),
+            names=True,
+            actions=actions,
+            rollouts=2,
+            horizon=0.5,
+            mp4=False,
+        )
         .files
     )
     assert [path.name for path in files] == [

@@ -30,6 +30,7 @@ _ICON_PITCH, _DOT_PITCH = 34.0, 20.0  # the largest distance from one icon to th
 class PlacedDots:
     """Dots of outcomes on the figure, all as large."""
 
+    name: str  # what they show
     dots: Dots
     places: FloatArray  # [N, 2], where they lie, px
     radius: float  # px
@@ -45,13 +46,13 @@ def paint_dots(
     places, radius = grid.places() + np.array([_ICONS.left, _ICONS.top]), DOT_RADIUS * grid.pitch
     for place in places:
         canvas.disc(place, radius, theme.grid)
-    placed, shown = [PlacedDots(icons, places, radius)], dot_measures(rollouts)
+    placed, shown = [PlacedDots("icons", icons, places, radius)], dot_measures(rollouts)
     rooms = _DOTS.columns([1.0] * len(shown), _GAP)
     scales = DotScale.fit_all(shown, rooms[0].width, _DOTS.height, _DOT_PITCH)
     for measure, room, scale in zip(shown, rooms, scales, strict=True):
         draw_dot_axis(canvas, room, measure)
         dots, floor = measure.dots[side], np.array([room.left, room.bottom])
         places = floor + scale.middles(side, dots) * np.array([1.0, -1.0])
-        placed.append(PlacedDots(dots, places, DOT_RADIUS * scale.pitch))
+        placed.append(PlacedDots(measure.names[-1], dots, places, DOT_RADIUS * scale.pitch))
     width, height = FIGURE_SIZE
     return canvas.pixels[:height, :width], tuple(placed)

@@ -190,6 +190,6 @@ def _steps(last: int, frames: int) -> list[float]:
 def _marks(page: ComparisonPage) -> list[str]:
     """What marks of contact mean, and that only some of the outcomes play if so."""
     count, played = page.rollouts.count, page.sample.count
-    sample = f"playing: a sample of {played} of {count:,}" if played < count else ""
+    sample = f"playing: a sample of {played} of {count}" if played < count else ""
     touched = marks_told(page.rollouts)
     return joined((touched, sample), (sample or touched,))

@@ -31,9 +31,8 @@ def comparison_page(comparison: Comparison, judgements: tuple[Judgement, ...]) -
             "",
             *sides,
             "",
-            f"Each was simulated {counted(rollouts.count, 'time')} for {rollouts.horizon:g} s. The "
-            "same outcome plays on both sides at once, with the same people and the same luck: the "
-            "sides differ in nothing but the action. Which one is on the left is random.",
+            f"Each was simulated {counted(rollouts.count, 'time')} for {rollouts.horizon:g} s with "
+            "the same people and the same luck. Which one is on the left is random.",
             "",
             "## What one sees",
             "",

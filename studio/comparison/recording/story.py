@@ -5,7 +5,7 @@ behind.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import rerun as rr
@@ -29,97 +29,88 @@ PATH, CONTACT = 0.8, 1.2  # half the widths of paths and of marks of contact, px
 
 @dataclass(frozen=True)
 class Marks:
-    """N points [N, 2] or lines [N, corners, 2] that appear when so many outcomes have ended [N]."""
+    """N points [N, 2] or lines [N, corners, 2] of outcomes that touched things of these kinds [N].
+
+    They appear when so many outcomes have ended, [N], and tell what these were.
+    """
 
     shapes: FloatArray
+    kinds: IntArray
     arrivals: IntArray
     told: Sequence[str]
 
-    def log(
-        self,
-        stream: rr.RecordingStream,
-        path: str,
-        look: rr.AsComponents,
-        rollouts: Rollouts,
-        among: BoolArray | None = None,
+
+@dataclass(frozen=True)
+class Story:
+    """The outcomes of the action on one side, as a recording shows them along the story."""
+
+    stream: rr.RecordingStream
+    rollouts: Rollouts
+    side: int
+    theme: Theme
+
+    def log_world(self) -> None:
+        """Show the outcomes one after the other, and the paths that they leave."""
+        sample, side, name = self.rollouts.with_paths(), self.side, self.rollouts.names[self.side]
+        told, path, moments = outcomes_told(sample, side), entities.story(name), moments_of(sample)
+        colour, classes = self.theme.action_colour(name), class_over_time(sample, side)
+        log_looks(self.stream, path, colour, self.theme)
+        log_robot(self.stream, f"{path}/robot", moments, sample, side, classes, told)
+        if sample.scene.pedestrians:
+            log_people(self.stream, f"{path}/people", moments, sample.pedestrians[side], told)
+        arrivals, robot = ended_after(self.rollouts)[1:], rounded(sample.robot[side, ..., :2])
+        faint, pen = blend(colour, self.theme.panel, 0.45), rr.Radius.ui_points(PATH)
+        kinds, corners = contact_kinds(sample)[side], path_corners(sample, WAY_STRIDE)
+        look = rr.LineStrips2D.from_fields(colors=faint, radii=pen)
+        self._gather(f"{path}/paths", look, Marks(robot[:, corners], kinds, arrivals, told))
+        places = robot[np.arange(sample.count), np.maximum(sample.contact_step[side], 0)]
+        self._gather_contacts(path, Marks(places, kinds, arrivals, told), MARK_REACH)
+
+    def log_dots(self) -> None:
+        """Draw the axes, let icons and dots gather, and say what has come so far."""
+        rollouts, side, name = self.rollouts, self.side, self.rollouts.names[self.side]
+        path, told = entities.dots(name), outcomes_told(rollouts, side)
+        pixels, parts = paint_dots(rollouts, side, self.theme)
+        log_figure(self.stream, path, pixels)
+        for part in parts:
+            dots, at = part.dots, f"{path}/{part.name}"
+            words = dots_told_by(dots.arrivals, told)
+            marks = Marks(part.places, dots.kinds, dots.arrivals, words)
+            # half of it, since the figure is drawn at twice the size
+            pen, colour = rr.Radius.ui_points(part.radius / 2), self.theme.action_colour(name)
+            look = rr.Points2D.from_fields(colors=colour, radii=pen)
+            self._gather(at, look, marks, dots.kinds == NOTHING)
+            self._gather_contacts(at, marks, 0.9 * part.radius)
+        said, table = playing_told(rollouts, side), Timetable.of(rollouts.paths, rollouts.horizon)
+        times = np.append(0.0, np.stack([table.starts, table.ends], axis=-1).ravel())
+        pages = rr.TextDocument.columns(text=said, media_type=[rr.MediaType.MARKDOWN] * len(said))
+        self.stream.send_columns(f"{path}/so_far", [story_times(times)], pages)
+
+    def _gather_contacts(self, path: str, points: Marks, reach: float) -> None:
+        """Let an × appear at points where a person was touched, a square where a wall alone was."""
+        shapes = np.where(points.kinds[:, None, None] == PERSON, CROSS, SQUARE)
+        marks = replace(points, shapes=points.shapes[:, None] + reach * shapes)
+        red, pen = self.theme.contact, rr.Radius.ui_points(CONTACT)
+        look = rr.LineStrips2D.from_fields(colors=red, radii=pen, draw_order=45.0)
+        self._gather(f"{path}/contacts", look, marks, points.kinds != NOTHING)
+
+    def _gather(
+        self, path: str, look: rr.AsComponents, marks: Marks, among: BoolArray | None = None
     ) -> None:
-        """Let them appear, or some `among` them [N]; how they look and what they tell is static."""
-        order = np.argsort(self.arrivals, kind="stable")
+        """Let marks appear, or some `among` them [N]; how they look, what they tell is static."""
+        rollouts, order = self.rollouts, np.argsort(marks.arrivals, kind="stable")
         order = order if among is None else order[among[order]]
         if not len(order):
             return
         # a single text would not be shown
-        told = [self.told[place] for place in order.tolist()] * (2 if len(order) == 1 else 1)
-        counts = np.searchsorted(self.arrivals[order], ended_after(rollouts), side="right")
-        rows = np.concatenate([self.shapes[order[:count]] for count in counts])
+        told = [marks.told[place] for place in order.tolist()] * (2 if len(order) == 1 else 1)
+        counts = np.searchsorted(marks.arrivals[order], ended_after(rollouts), side="right")
+        rows = np.concatenate([marks.shapes[order[:count]] for count in counts])
         points, lines = rr.Points2D.columns, rr.LineStrips2D.columns
         columns = points(positions=rows) if rows.ndim == 2 else lines(strips=list(rows))
         when = story_times(np.append(0.0, Timetable.of(rollouts.paths, rollouts.horizon).ends))
-        stream.log(path, look, rr.AnyValues(told=told), static=True)
-        stream.send_columns(path, [when], columns.partition(counts))
-
-
-def log_contact_marks(
-    stream: rr.RecordingStream,
-    path: str,
-    points: Marks,
-    kinds: IntArray,
-    reach: float,
-    rollouts: Rollouts,
-    theme: Theme,
-) -> None:
-    """Let contacts appear at points, which are of kinds [N]: × a person, a square a wall."""
-    shapes = np.where(kinds[:, None, None] == PERSON, CROSS, SQUARE)
-    marks = Marks(points.shapes[:, None] + reach * shapes, points.arrivals, points.told)
-    pen = rr.Radius.ui_points(CONTACT)
-    look = rr.LineStrips2D.from_fields(colors=theme.contact, radii=pen, draw_order=45.0)
-    marks.log(stream, f"{path}/contacts", look, rollouts, kinds != NOTHING)
-
-
-def log_story(stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme) -> None:
-    """Show the outcomes of one action one after the other, and the paths that they leave."""
-    sample, name = rollouts.with_paths(), rollouts.names[side]
-    told, path, colour = (
-        outcomes_told(sample, side),
-        entities.story(name),
-        theme.action_colour(name),
-    )
-    moments, classes = moments_of(sample), class_over_time(sample, side)
-    log_looks(stream, path, colour, theme)
-    log_robot(stream, f"{path}/robot", moments, sample, side, classes, told)
-    if sample.scene.pedestrians:
-        log_people(stream, f"{path}/people", moments, sample.pedestrians[side], told)
-    arrivals, robot = ended_after(rollouts)[1:], rounded(sample.robot[side, ..., :2])
-    look = rr.LineStrips2D.from_fields(
-        colors=blend(colour, theme.panel, 0.45), radii=rr.Radius.ui_points(PATH)
-    )
-    ways = Marks(robot[:, path_corners(sample, WAY_STRIDE)], arrivals, told)
-    ways.log(stream, f"{path}/paths", look, rollouts)
-    places = robot[np.arange(sample.count), np.maximum(sample.contact_step[side], 0)]
-    kinds = contact_kinds(sample)[side]
-    points = Marks(places, arrivals, told)
-    log_contact_marks(stream, path, points, kinds, MARK_REACH, rollouts, theme)
-
-
-def log_figure_of_dots(
-    stream: rr.RecordingStream, rollouts: Rollouts, side: int, theme: Theme
-) -> None:
-    """Draw the axes of one side, let its icons and dots gather, and say what has come so far."""
-    path, colour = entities.dots(rollouts.names[side]), theme.action_colour(rollouts.names[side])
-    pixels, parts = paint_dots(rollouts, side, theme)
-    log_figure(stream, path, pixels)
-    for number, part in enumerate(parts):
-        dots, at = part.dots, f"{path}/{number}"
-        told = dots_told_by(dots.arrivals, outcomes_told(rollouts, side))
-        marks = Marks(part.places, dots.arrivals, told)
-        # half of it, since the figure is drawn at twice the size
-        look = rr.Points2D.from_fields(colors=colour, radii=rr.Radius.ui_points(part.radius / 2))
-        marks.log(stream, at, look, rollouts, dots.kinds == NOTHING)
-        log_contact_marks(stream, at, marks, dots.kinds, 0.9 * part.radius, rollouts, theme)
-    said, table = playing_told(rollouts, side), Timetable.of(rollouts.paths, rollouts.horizon)
-    times = np.append(0.0, np.stack([table.starts, table.ends], axis=-1).ravel())
-    pages = rr.TextDocument.columns(text=said, media_type=[rr.MediaType.MARKDOWN] * len(said))
-    stream.send_columns(f"{path}/so_far", [story_times(times)], pages)
+        self.stream.log(path, look, rr.AnyValues(told=told), static=True)
+        self.stream.send_columns(path, [when], columns.partition(counts))
 
 
 def moments_of(rollouts: Rollouts) -> Moments:

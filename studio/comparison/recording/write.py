@@ -1,11 +1,9 @@
 """Write two actions side by side, their outcomes one at a time, as a Rerun recording.
 
-It holds what the recording of a scene with these two actions holds of world and numbers, and a
-story in which one outcome after the other plays on both sides at once. `recordings/README.md` is
-its reference.
+It holds the world and numbers of a scene's recording, and a story in which one outcome after the
+other plays on both sides at once. `recordings/README.md` is its reference.
 """
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +16,9 @@ from studio.comparison.comparison import QUESTION, SIDES, Comparison
 from studio.comparison.picture.figure import FIGURE_SIZE
 from studio.comparison.recording import entities
 from studio.comparison.recording.page import comparison_page
-from studio.comparison.recording.story import log_figure_of_dots, log_story
-from studio.comparison.words import crowd_told
+from studio.comparison.recording.story import Story
+from studio.comparison.words import crowd_told, dots_told
+from studio.painter.quantile_dots import MOST_DOTS
 from studio.recorder.figures import painted_view
 from studio.recorder.pages import log_page, package_versions
 from studio.recorder.plots import bars_view, table_view
@@ -63,55 +62,54 @@ def write_comparison_recording(
         sides |= {"seed": comparison.seed, "actions": list(comparison.actions)}
         stream.send_property("comparison", rr.AnyValues(**sides))
         for side in range(len(SIDES)):
-            log_story(stream, rollouts, side, theme)
-            log_figure_of_dots(stream, rollouts, side, theme)
+            story = Story(stream, rollouts, side, theme)
+            story.log_world()
+            story.log_dots()
         log_page(stream, of_scene.ABOUT, comparison_page(comparison, judgements))
 
 
 def comparison_blueprint(rollouts: Rollouts, bounds: Bounds, named: bool) -> rrb.Blueprint:
     """The tabs: one outcome at a time, all at once, all numbers, and what is told afterwards."""
-    names = rollouts.names
-    titles = [
-        f"{side}: {short_label(name)}" if named else side
-        for side, name in zip(SIDES, names, strict=True)
+    sides = [
+        (f"{side}: {short_label(name)}" if named else side, name)
+        for side, name in zip(SIDES, rollouts.names, strict=True)
     ]
-    sides = list(zip(titles, names, strict=True))
     tables = [
         table_view(of_scene.outcomes(name), f"{title}: a row an outcome", "rollout", COLUMNS)
         for title, name in sides
     ]
     stories = [story_side(rollouts, title, name, bounds) for title, name in sides]
     wholes = [whole_side(rollouts, title, name, bounds) for title, name in sides]
-    about = page_view(of_scene.ABOUT, "About" if named else "Which is which")
-    rows: dict[str, Sequence[rrb.Container | rrb.View]]
-    rows = {QUESTION: stories, "All at once": wholes, "Outcomes": tables}
-    tabs = [rrb.Horizontal(*views, name=title) for title, views in rows.items()]
-    return opening([*tabs, about], entities.STORY)
+    tabs: list[rrb.Container | rrb.View] = [
+        rrb.Horizontal(*stories, name=QUESTION),
+        rrb.Horizontal(*wholes, name="All at once"),
+        rrb.Horizontal(*tables, name="Outcomes"),
+        page_view(of_scene.ABOUT, "About" if named else "Which is which"),
+    ]
+    return opening(tabs, entities.STORY)
 
 
 def story_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """The outcomes of one side's action, one at a time, and below them the dots."""
-    told = crowd_told(rollouts.scene, bounds) or "nobody"
-    title_of_world = f"{title}: the robot, {told} (bar: {scale_length(bounds):g} m)"
-    dots, many = entities.dots(name), counted(rollouts.count, "outcome")
+    crowd = crowd_told(rollouts.scene, bounds) or "nobody"
+    told = f"{title}: the robot, {crowd} (bar: {scale_length(bounds):g} m)"
+    dots, stands_for = entities.dots(name), dots_told(rollouts.count, MOST_DOTS)
     return rrb.Vertical(
-        world_view([f"{entities.story(name)}/**"], bounds, title_of_world),
+        world_view([f"{entities.story(name)}/**"], bounds, told),
         page_view(f"{dots}/so_far", f"{title}: so far"),
-        painted_view(dots, f"{title}: {many}", (0.0, 0.0, *FIGURE_SIZE)),
+        painted_view(dots, f"{title} · {stands_for}", (0.0, 0.0, *FIGURE_SIZE)),
         row_shares=[20, 4, 17],
     )
 
 
 def whole_side(rollouts: Rollouts, title: str, name: str, bounds: Bounds) -> rrb.Container:
     """All paths under one side's action at once, and how its outcomes are distributed."""
-    sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count:,}"
+    sample = "" if rollouts.paths == rollouts.count else f", a sample of {rollouts.count}"
     title = f"{title}: {counted(rollouts.paths, 'path')}{sample}"
+    shown = [(each.feature, each.title) for each in measured(rollouts) if each.unit]
     plots = [
-        bars_view(
-            of_scene.histogram(each.feature, name), each.title, of_scene.any_action(each.feature)
-        )
-        for each in measured(rollouts)
-        if each.unit
+        bars_view(of_scene.histogram(feature, name), heading, of_scene.any_action(feature))
+        for feature, heading in shown
     ]
     world = world_view([f"{of_scene.action(name)}/**"], bounds, title)
     return rrb.Vertical(world, rrb.Horizontal(*plots), row_shares=[2, 1])

@@ -11,7 +11,7 @@ from studio.painter.boxes import Box, Point
 from studio.painter.canvas import Canvas
 from studio.painter.labels import Label
 from studio.painter.lettering import REGULAR
-from studio.painter.marks import cross, dashed_path, hollow_square
+from studio.painter.marks import crosses, dashed_path, hollow_square
 from studio.painter.views import View
 from studio.scene.framing import beyond_edges, bounds_of_shape
 from studio.scene.groups import shortest_links
@@ -96,8 +96,7 @@ def draw_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float 
     The radius is in units of the page.
     """
     reach, theme = max(radius * canvas.unit, 2.0), canvas.theme
-    for centre in view.to_pixels(places):
-        cross(canvas, centre, reach, theme.contact, theme.ground)
+    crosses(canvas, view.to_pixels(places), reach, theme.contact, theme.ground)
 
 
 def draw_wall_contacts(canvas: Canvas, view: View, places: FloatArray, radius: float = 3.6) -> None:

@@ -11,6 +11,7 @@ from studio.scene.again import how_to_make_again, record_command, settings_of
 from studio.scene.certainty import wilson
 from studio.scene.judgements import Judgement
 from studio.scene.recording import entities
+from studio.scene.true_walks import true_walks_told
 from studio.scene.words import bias_told, draws_told, pick_with_shares
 from studio.style.words import counted, estimate_told, number, share_told, short_label
 
@@ -40,8 +41,8 @@ where a wall.
 {judging}V is what an action is worth to them: the largest is picked (★), or it is open which one
 is (☆).
 
-Choose the timeline `rollout` below and drag it: every view then shows one rollout at a time. Hover
-or select any mark to see whose it is and what came of it."""
+{real}Choose the timeline `rollout` below and drag it: every view then shows one rollout at a time.
+Hover or select any mark to see whose it is and what came of it."""
 
 DISAGREEMENTS = """How many pairs of actions, of {pairs}, two teachers order differently, and how
 much value V the second one loses by doing what the first one values most, with its 95 % interval:
@@ -107,10 +108,12 @@ def scene_summary(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> str:
     """
     known = [each for each in judgements if each.teacher in WAYS_OF_JUDGING]
     judging = ", ".join(f"{each.label} {WAYS_OF_JUDGING[each.teacher]}" for each in known)
+    walks = true_walks_told(rollouts)
     return SUMMARY.format(
         **_told(rollouts, judgements),
         picks="\n".join(picks_told(rollouts, judgements)),
         judging=f"{judging}; " if known else "",
+        real="".join(f"The recorded people have {said}.\n\n" for said in walks[:1]),
     )
 
 

@@ -132,10 +132,17 @@ def _old_outcomes(
     """What came of the rollouts, from the one table of scaled features of editions 1 and 2."""
     columns = [contents.static(f"/{entities.OUTCOMES}", feature) for feature in FEATURES]
     features = np.stack(columns, axis=-1).reshape(*robot.shape[:2], -1).astype(np.float64)
-    first = contents.static(f"/{entities.OUTCOMES}", "contact_step").astype(np.int64)
-    person_step, wall_step = contacts_by_kind(
-        scene, robot, pedestrians, first.reshape(robot.shape[:2]), features[..., -1]
-    )
+    table, shape = f"/{entities.OUTCOMES}", robot.shape[:2]
+    if contents.has(table, "person_step"):  # of some of edition 2
+        person_step, wall_step = (
+            contents.static(table, name).astype(np.int64).reshape(shape)
+            for name in ("person_step", "wall_step")
+        )
+    else:
+        first = contents.static(table, "contact_step").astype(np.int64).reshape(shape)
+        person_step, wall_step = contacts_by_kind(
+            scene, robot, pedestrians, first, features[..., -1]
+        )
     return Outcomes(
         features=features,
         clearance_m=CLEARANCE_SCALE * features[..., 0],

@@ -27,11 +27,10 @@ _NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 class FindingPage:
     """What stays the same at all stages of a study."""
 
-    canvas: Canvas  # with the notes
+    canvas: Canvas  # with the subtitle and the notes
     results: StudyResults  # of the teachers that there is room for
-    titles: tuple[tuple[str, ...], ...]  # wordings of the finding after each number of pairs
-    subtitles: tuple[str, ...]  # wordings of what was studied
-    room: float  # for title and subtitle, px; the number of pairs is at their right
+    heading: Box  # where the title lies; the number of pairs is at its right
+    room: float  # for the title, px
     panels: tuple[tuple[Teacher, Box, Box], ...]  # each teacher with a head and a plot below it
     scales: Scales  # that the plots of all teachers share
 
@@ -62,12 +61,8 @@ def lay_out_finding(
     kind, unit, page = canvas.type, canvas.unit, canvas.page
     widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
     room = page.width - max(widths) - kind.title
-    subtitles = tuple(study_subtitles(results, left_out))
-    # what is known by then: a film must not state the last finding while it shows the first pairs
-    titles = tuple(
-        tuple(findings_told(results.between(0.0, stage.reached))) for stage in results.stages
-    )
-    heading = draw_heading(canvas.copy(), page, titles[-1], subtitles, room)
+    # the title differs from stage to stage
+    heading = draw_heading(canvas, page, [""], study_subtitles(results, left_out), room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
     top = page.bottom - len(notes) * _NOTE_STEP * kind.small
     for index, line in enumerate(notes):
@@ -80,17 +75,15 @@ def lay_out_finding(
         head = Box(box.left, box.top, box.right, box.top + teacher_head_height(canvas, results))
         plot = Box(box.left, head.bottom + 12 * unit, box.right, box.bottom)
         panels.append((teacher, head, plot))
-    scales = Scales.around(results)
-    return FindingPage(canvas, results, titles, subtitles, room, tuple(panels), scales)
+    return FindingPage(canvas, results, heading, room, tuple(panels), Scales.around(results))
 
 
 def draw_finding(page: FindingPage, stage: Stage) -> Canvas:
     """Draw what was found by a stage, on a copy of the page that was laid out for the study."""
     canvas = page.canvas.copy()
-    area, size, ink = canvas.page, canvas.type.title, canvas.theme.ink
-    titles = page.titles[max(len(stage.sizes), 1) - 1]
-    draw_heading(canvas, area, titles, page.subtitles, page.room)
-    corner = (area.right, area.top)
+    corner, size = (page.heading.right, page.heading.top), canvas.type.title
+    ink, start = canvas.theme.ink, (page.heading.left, page.heading.top)
+    canvas.fit(start, findings_told(stage), page.room, size, ink, SEMIBOLD, line="top")
     canvas.text(corner, reached(stage), size, ink, SEMIBOLD, anchor="right", line="top")
     for teacher, head, plot in page.panels:
         draw_teacher_head(canvas, head, stage, teacher)

@@ -119,22 +119,6 @@ def test_intervals_are_quantiles_of_draws_with_replacement(count):
     )
 
 
-def test_curves_carry_every_seed_and_their_middle(table):
-    one = learning_curves(table)[1]
-    assert [samples.tolist() for samples in one.samples] == [[4, 5, 6, 7], [1, 2, 3, 4]]
-    assert one.middle.tolist() == one.median.tolist() == [5.5, 2.5]
-    there = one.at(25)
-    assert (there.middle, there.median, there.samples.tolist()) == (5.5, 5.5, [4, 5, 6, 7])
-    assert there.middle_low < there.middle < there.middle_high
-    doubled = one.mapped(lambda regrets: 2.0 * regrets).at(25)
-    assert (doubled.middle, doubled.samples.tolist()) == (11.0, [8, 10, 12, 14])
-    late = one.where(one.pairs > 25)
-    assert late.pairs.tolist() == [100]
-    assert late.samples[0].tolist() == [1, 2, 3, 4]
-    of_list = learning_curves(table, "theta_unit")[0].at(25).of(0)
-    assert (of_list.middle, of_list.samples.tolist()) == (1.5, [0, 1, 2, 3])
-
-
 def test_what_cannot_be_averaged_is_refused(table):
     with pytest.raises(InputError, match="column 'speed' is not allowed: teacher, learner"):
         learning_curves(table, "speed")

@@ -12,7 +12,16 @@ NAMES = ("forward", "slow_down")
 LONG = "a_long_name_of_an_action_that_goes_on_and_on_and_then_goes_on_for_quite_a_while"
 
 
-def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES, contact=None):
+def a_comparison(
+    people=3,
+    rollouts=5,
+    horizon=0.5,
+    name="a-scene",
+    names=NAMES,
+    contact=None,
+    named=False,
+    paths=None,
+):
     starts = [(1.5 + 0.6 * (index % 6), -1.2 + 0.5 * (index // 6)) for index in range(people)]
     scene = Scene(
         name=name,
@@ -23,7 +32,8 @@ def a_comparison(people=3, rollouts=5, horizon=0.5, name="a-scene", names=NAMES,
     )
     actions = (MetaAction(names[0], 1.0, 0.0), *META_ACTIONS[2:4], MetaAction(names[1], 0.5, 0.0))
     simulated = simulate(scene, actions, rollouts=rollouts, horizon=horizon)
-    comparison = side_by_side(simulated, *names, seed=1)
+    simulated = simulated.keep_paths(paths or rollouts)
+    comparison = side_by_side(simulated, *names, seed=1, named=named)
     if contact is None:
         return comparison
     steps = np.where(np.array(contact), min(2, simulated.steps), -1)
@@ -42,5 +52,6 @@ CASES = {
     "seven outcomes, one step": {"rollouts": 7, "horizon": 0.1},
     "forty people, many outcomes": {"rollouts": 200, "people": 40},
     "very many outcomes": {"rollouts": 1200, "people": 1},
-    "long names": {"name": "W" * 64, "names": (LONG, f"{LONG}_and_on")},
+    "paths of some alone": {"rollouts": 600, "people": 2, "paths": 7},
+    "long names": {"name": "W" * 64, "names": (LONG, f"{LONG}_and_on"), "named": True},
 }

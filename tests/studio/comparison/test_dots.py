@@ -87,3 +87,14 @@ def test_dots_of_all_measures_are_of_one_size(comparison):
     assert first.pitch == second.pitch
     assert second.pitch == DotScale.fit(shown[1], 300.0, 120.0, 15.0).pitch
     assert len({plot.scale.pitch for plot in lay_out_comparison(comparison, SIZE).plots}) == 1
+
+
+def test_contacts_lie_lowest_and_later_dots_higher():
+    values, kinds = np.zeros(4), np.array([NOTHING, PERSON, NOTHING, WALL])
+    measure = DotMeasure(("x",), (Dots.of(values, kinds),), 0.0, 1.0)
+    scale = DotScale.fit(measure, 180.0, 400.0, 8.0)
+    dots = measure.dots[0]
+    heights = scale.middles(0, dots)[:, 1]
+    in_order = [(dots.kinds[place], dots.arrivals[place]) for place in np.argsort(heights)]
+    assert scale.abreast == 1
+    assert in_order == [(PERSON, 2), (WALL, 4), (NOTHING, 1), (NOTHING, 3)]

@@ -56,23 +56,24 @@ def with_shifts(
 def test_the_title_states_who_has_less_regret_where_that_is_sure(
     shifts: dict[str, float], spread: float, said: str
 ) -> None:
-    longest, plain, *_ = findings_told(with_shifts(shifts, spread))
+    longest, plain, *_ = findings_told(with_shifts(shifts, spread).stages[-1])
     assert plain == said
     assert longest == f"After 2000 pairs, {said.replace('Whether', 'whether')}"
 
 
 def test_where_names_have_no_room_the_title_counts_teachers() -> None:
-    told = findings_told(with_shifts({"eu": 0.0, "tk": -0.5, "strong": -0.5}, 0.1))
+    told = findings_told(with_shifts({"eu": 0.0, "tk": -0.5, "strong": -0.5}, 0.1).stages[-1])
     assert "CPT has less regret than EU for 2 of 3 teachers" in told
     assert "EU has less regret" not in " ".join(told)
 
 
 def test_a_single_seed_and_a_single_learner_state_no_result() -> None:
     one_seed = StudyResults(study_table(seeds=1), THREE)
-    assert findings_told(one_seed)[1] == "Whether CPT has less regret than EU is open"
+    assert findings_told(one_seed.stages[-1])[1] == "Whether CPT has less regret than EU is open"
     alone = StudyResults(study_table(learners=("eu",)), THREE)
-    assert findings_told(alone) == ["Learning what people prefer", "Preferences learnt"]
-    assert findings_told(StudyResults(study_table().slice(0, 0), THREE)) == findings_told(alone)
+    assert findings_told(alone.stages[-1]) == ["Learning what people prefer", "Preferences learnt"]
+    nothing = StudyResults(study_table().slice(0, 0), THREE)
+    assert findings_told(nothing.stages[-1]) == findings_told(alone.stages[-1])
 
 
 def test_a_lesson_never_says_less_for_nothing() -> None:

@@ -187,3 +187,12 @@ def test_odd_sizes_are_refused_and_a_file_that_cannot_be_written_is_reported(com
         )
     with pytest.raises(FileNotFoundError):
         compose_comparison_picture(comparison, SIZE).save(tmp_path / "no" / "picture.png")
+
+
+@pytest.mark.parametrize("count", [1, 7, 50, 300])
+def test_parts_of_a_film_follow_one_another_and_are_about_as_long(count):
+    pace = Pace.of(count, 4.0, 30)
+    parts = pace.parts(range(count))
+    assert list(itertools.chain(*parts)) == list(range(count))
+    lengths = [pace.frames[part].sum() for part in parts]
+    assert max(lengths) <= sum(lengths) / 8 + pace.frames.max()

@@ -104,6 +104,22 @@ def test_every_page_says_how_many_pairs_and_what_was_found_out_from_them(pairs: 
     assert f"Reward and parameters at {pairs} pairs" in " ".join(written)
 
 
+def test_the_title_states_what_was_found_so_far() -> None:
+    results = study_of(sizes=(25, 2000), seeds=5)
+    table = results.table
+    regrets = [
+        1.0 + (row["learner"] == "cpt") * (1.0 if row["pairs"] == 25 else -0.5)
+        for row in table.to_pylist()
+    ]
+    place = table.column_names.index("regret_percent")
+    turned = StudyResults(
+        table.set_column(place, "regret_percent", pa.array(regrets)), results.teachers
+    )
+    for pairs, said in ((25, "EU has less regret than CPT"), (2000, "CPT has less regret than EU")):
+        page, _ = pages_at(turned, pairs)
+        assert any(said in text for text in texts(page))
+
+
 def test_until_a_size_is_reached_the_one_before_is_told() -> None:
     for page in pages_at(study_of(), 199.9):
         assert "25 pairs" in texts(page)
@@ -211,4 +227,6 @@ def test_the_title_states_what_is_known_by_then() -> None:
     titles = [texts(draw_finding(page, Stage(page.results, pairs))) for pairs in (25, 300, 2000)]
     for written in titles[:2]:
         assert any("hether CPT has less regret than EU is open" in text for text in written)
-    assert any("CPT has less regret than EU for EU, T&K and Strong" in text for text in titles[2])
+    assert any(
+        "CPT has less regret than EU for teachers EU, T&K and Strong" in text for text in titles[2]
+    )
