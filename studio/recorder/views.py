@@ -68,11 +68,6 @@ def y_upwards() -> rr.Transform3D:
     return rr.Transform3D(scale=[1.0, -1.0, 1.0])
 
 
-def figure_view(figure: str, bounds: Bounds, title: str) -> rrb.View:
-    """A view of a drawn figure."""
-    return drawn_view([f"{figure}/**"], bounds, title)
-
-
 def page_view(path: str, title: str) -> rrb.View:
     """A view of a page of Markdown."""
     return rrb.TextDocumentView(origin=f"/{path}", name=title)
