@@ -116,7 +116,8 @@ def telling_rows(
     rows = []
     for scene in results.telling[teacher.name]:
         told, link = results.scenes[scene], links.get(scene)
-        name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
+        name = f"{told.family} {scene}"
+        name = f"[{name} ↗](<{link.path}>)" if link else name
         picks = [_pick(results, teacher, learner, scene, pairs) for learner in results.learners]
         rows.append([name, action_label(told.best[teacher.name]), *picks])
     return rows
