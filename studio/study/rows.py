@@ -4,9 +4,14 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from learners import FEATURES, PARAMETER_COLUMNS, CptParameters, Spread, Teacher, unit_vector
 from studio.study.fits import Row
+from studio.study.links import Links
 from studio.study.results import StudyResults
-from studio.style.words import learner_name, number, teacher_name
+from studio.style.words import action_label, learner_name, number, teacher_name
+
+LEAST_PERCENT = 0.1
+"""Regrets of scenes that are smaller, in % of a random action's, are told as less than this."""
 
 
 def learner_rows(results: StudyResults) -> Iterator[Row]:
@@ -44,6 +49,92 @@ def scene_rows(results: StudyResults) -> Iterator[Row]:
                     "seeds": int(regrets.runs[place]),
                     "regret_percent": float(percents),
                 }
+
+
+def last_rows(results: StudyResults) -> list[list[str]]:
+    """A row a teacher and learner, in words: mean and interquartile mean of the final regret, %."""
+    rows = []
+    for teacher in results.teachers:
+        for learner in results.learners:
+            spread = results.spread("regret_percent", teacher, learner, results.sizes[-1])
+            if spread is not None:
+                middle = _told(".2f", spread.middle, spread.middle_low, spread.middle_high)
+                names = [teacher_name(teacher.name), learner_name(learner)]
+                rows.append([*names, _mean_told(".2f", spread), middle])
+    return rows
+
+
+def found_rows(
+    results: StudyResults, teacher: Teacher, learner: str, pairs: int
+) -> list[list[str]]:
+    """What a learner found from so many pairs, in words: a row a number, the truth beside it."""
+
+    def spread(column: str) -> Spread | None:
+        return results.spread(column, teacher, learner, pairs)
+
+    least, theta = spread("nll_teacher"), spread("theta_unit")
+    shapes = zip(CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True)
+    rows = [
+        [words, truth, _mean_told(form, spread(column), factor)]
+        for words, column, truth, form, factor in (
+            ("regret, %", "regret_percent", "0", ".2f", 1.0),
+            ("best action found, %", "agreement", "100", ".0f", 100.0),
+            ("cosine of θ", "theta_cosine", "1", ".3f", 1.0),
+            ("log-loss, nats a pair", "nll", f"{least.mean:.3f}" if least else "–", ".3f", 1.0),
+        )
+    ]
+    if theta is not None:
+        rows += [
+            [f"θ of {FEATURES[place]}", number(truth, ".2f"), _mean_told(".2f", theta.of(place))]
+            for place, truth in enumerate(unit_vector(teacher.reward))
+        ]
+    rows += [
+        [symbol, number(truth), _mean_told(".2f", found)]
+        for symbol, column, truth in shapes
+        if (found := spread(column))
+    ]
+    return rows
+
+
+def _mean_told(form: str, spread: Spread | None, factor: float = 1.0) -> str:
+    """A mean over seeds times a factor, with its interval."""
+    if spread is None:
+        return "–"
+    return _told(form, factor * spread.mean, factor * spread.low, factor * spread.high)
+
+
+def _told(form: str, value: float, low: float, high: float) -> str:
+    """An estimate with its interval; the interval of a single seed is empty, and is not told."""
+    told = number(value, form)
+    return told if low == high else f"{told} [{number(low, form)}, {number(high, form)}]"
+
+
+def telling_rows(
+    results: StudyResults, links: Links, teacher: Teacher, pairs: int
+) -> list[list[str]]:
+    """A row a scene in which the learners differ most: a link, the teacher's pick, and theirs."""
+    rows = []
+    for scene in results.telling[teacher.name]:
+        told, link = results.scenes[scene], links.get(scene)
+        name = f"{told.family} {scene}"
+        name = f"[{name} ↗](<{link.path}>)" if link else name
+        picks = [_pick(results, teacher, learner, scene, pairs) for learner in results.learners]
+        rows.append([name, action_label(told.best[teacher.name]), *picks])
+    return rows
+
+
+def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
+    """What a learner picks in a scene, the regret, and how many seeds say so."""
+    regrets = results.scene_regrets(teacher, learner, pairs)
+    if regrets is None or scene not in regrets.scenes:
+        return "–"
+    at = int(np.flatnonzero(regrets.scenes == scene)[0])
+    family = results.scenes[scene].family
+    percent = float(results.percents(teacher, family, regrets.regret[at]))
+    told = f"{percent:.{0 if percent >= 10.0 else 1}f} %"
+    if percent < LEAST_PERCENT:
+        told = f"< {number(LEAST_PERCENT)} %" if percent > 0.0 else "0 %"
+    return f"{action_label(regrets.picks[at])}, {told} ({regrets.runs[at]})"
 
 
 def teacher_rows(results: StudyResults) -> list[list[str]]:

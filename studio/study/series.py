@@ -89,7 +89,7 @@ def _plots_of(results: StudyResults, teacher: Teacher) -> Iterator[tuple[str, Pa
         return name, PairPlot(title, tuple(found), truth, place)
 
     logarithm = _logarithm(results.regrets)
-    yield plot(REGRET, f"{called}: log10 of regret, %", curves("regret_percent"), logarithm)
+    yield plot(REGRET, f"{called}: log10 regret, %", curves("regret_percent"), logarithm)
     percents = [curve.mapped(lambda share: 100.0 * share) for curve in curves("agreement")]
     yield plot(AGREEMENT, f"{called}: best picks, %", percents)
     attained = [along(curve, sizes, curve.mean) for curve in curves("nll_teacher")[:1]]
@@ -109,7 +109,7 @@ def _plots_of(results: StudyResults, teacher: Teacher) -> Iterator[tuple[str, Pa
     logarithm = _logarithm(RegretRange.around([*chain(*regrets.values())]))
     for family, found in regrets.items():
         own = [curve for curve in found if curve.teacher == teacher.name]
-        title = f"{short(family)}, log10 of regret, %"
+        title = f"{short(family)}: log10 regret, %"
         yield plot(family_plot(family), title, own, logarithm)
 
 

@@ -100,14 +100,11 @@ def families_tab(results: StudyResults, plots: Plots) -> rrb.Container:
 
 def calibration_tab(results: StudyResults, plots: Plots) -> rrb.Container:
     """Predicted preferences on held-out scenes, a column a teacher: a row a learner, log-loss."""
-    bars = [
-        bars_view(
-            entities.calibration(teacher.name, learner),
-            f"{short_teacher_name(teacher)}: {learner_name(learner)}",
-        )
-        for learner in results.learners
-        for teacher in results.teachers
-    ]
+    bars = []
+    for learner in results.learners:
+        for teacher in results.teachers:
+            title = f"{short_teacher_name(teacher)}: {learner_name(learner)}"
+            bars.append(bars_view(entities.calibration(teacher.name, learner), title))
     losses = plot_views(results, plots, [LIKELIHOOD])
     grid = rrb.Grid(*bars, *losses, grid_columns=len(results.teachers), name=_HOW_TO_READ)
     return rrb.Tabs(grid, active_tab=0, name="Calibration")

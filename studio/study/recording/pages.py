@@ -2,19 +2,14 @@
 
 from collections.abc import Mapping
 
-import numpy as np
-
-from learners import FEATURES, PARAMETER_COLUMNS, CptParameters, Spread, Teacher, unit_vector
+from learners import FEATURES, CptParameters, Teacher
 from studio.recorder.markdown import table
 from studio.study.again import study_command
 from studio.study.links import Links
 from studio.study.results import StudyResults
-from studio.study.rows import setting_rows, teacher_rows
+from studio.study.rows import found_rows, last_rows, setting_rows, teacher_rows, telling_rows
 from studio.study.words import learner_called, lesson, teacher_called
-from studio.style.words import action_label, counted, learner_name, number, teacher_name
-
-LEAST_PERCENT = 0.1
-"""Regrets of scenes that are smaller, in % of a random action's, are told as less than this."""
+from studio.style.words import counted, teacher_name
 
 _WHAT_ONE_SEES = """## What one sees
 
@@ -42,13 +37,7 @@ certain teach little."""
 
 def study_summary_page(results: StudyResults) -> str:
     """What to look at first: how far every learner gets."""
-    last, rows = results.sizes[-1], []
-    for teacher in results.teachers:
-        for learner in results.learners:
-            if spread := results.spread("regret_percent", teacher, learner, last):
-                middle = _told(".2f", spread.middle, spread.middle_low, spread.middle_high)
-                names = [teacher_name(teacher.name), learner_name(learner)]
-                rows.append([*names, _mean_told(".2f", spread), middle])
+    last, heads = results.sizes[-1], ["teacher", "learner", "regret, %", "middle half, %"]
     lessons = [(teacher, lesson(results, teacher)) for teacher in results.teachers]
     return "\n".join(
         [
@@ -56,7 +45,7 @@ def study_summary_page(results: StudyResults) -> str:
             "",
             *(f"* **{teacher_called(teacher)}**: {said}" for teacher, said in lessons if said),
             "",
-            *table(["teacher", "learner", "regret, %", "middle half, %"], "llrr", rows),
+            *table(heads, "llrr", last_rows(results)),
             "",
             f"Regret is what the teacher loses by the learner's picks in held-out scenes, in % of "
             f"what picking at random would cost: the mean over {counted(results.seeds, 'seed')}, "
@@ -72,37 +61,11 @@ def study_summary_page(results: StudyResults) -> str:
 def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
     """What was learned from one teacher so far: a table a learner, beside the truth."""
     lines = [f"# {teacher_name(teacher.name)} after {counted(pairs, 'pair')}", ""]
-    shapes = zip(CptParameters.SYMBOLS, PARAMETER_COLUMNS, teacher.parameters.numbers, strict=True)
-    parameters = [(symbol, column, number(truth), ".2f", 1.0) for symbol, column, truth in shapes]
     for learner in results.learners:
-        if not results.fits_of(teacher, learner, pairs):
-            continue
-
-        def spread(column: str, learner: str = learner) -> Spread | None:
-            return results.spread(column, teacher, learner, pairs)
-
-        least, theta = spread("nll_teacher"), spread("theta_unit")
-        rows = [
-            [
-                words,
-                truth,
-                _mean_told(form, results.spread(column, teacher, learner, pairs), factor),
-            ]
-            for words, column, truth, form, factor in (
-                ("regret, %", "regret_percent", "0", ".2f", 1.0),
-                ("best action found, %", "agreement", "100", ".0f", 100.0),
-                ("cosine of θ", "theta_cosine", "1", ".3f", 1.0),
-                ("log-loss, nats a pair", "nll", f"{least.mean:.3f}" if least else "–", ".3f", 1.0),
-                *(row for row in parameters if spread(row[1])),
-            )
-        ]
-        rows += [
-            [f"θ of {FEATURES[place]}", number(truth, ".2f"), _mean_told(".2f", theta.of(place))]
-            for place, truth in enumerate(unit_vector(teacher.reward))
-            if theta
-        ]
-        lines += [f"## {learner_called(learner)}", ""]
-        lines += [*table(["", "truth", "mean [95 %]"], "lrr", rows), ""]
+        if results.fits_of(teacher, learner, pairs):
+            rows = found_rows(results, teacher, learner, pairs)
+            lines += [f"## {learner_called(learner)}", ""]
+            lines += [*table(["", "truth", "mean [95 %]"], "lrr", rows), ""]
     return "\n".join(
         [
             *lines,
@@ -112,28 +75,10 @@ def teacher_page(results: StudyResults, teacher: Teacher, pairs: int) -> str:
     )
 
 
-def _mean_told(form: str, spread: Spread | None, factor: float = 1.0) -> str:
-    """A mean over seeds times a factor, with its interval."""
-    if spread is None:
-        return "–"
-    return _told(form, factor * spread.mean, factor * spread.low, factor * spread.high)
-
-
-def _told(form: str, value: float, low: float, high: float) -> str:
-    """An estimate with its interval; the interval of a single seed is empty, and is not told."""
-    told = number(value, form)
-    return told if low == high else f"{told} [{number(low, form)}, {number(high, form)}]"
-
-
 def scenes_page(results: StudyResults, links: Links, teacher: Teacher, pairs: int) -> str:
     """The scenes in which learners from a teacher differ most, with links to their recordings."""
     heads = ["scene", "teacher", *map(learner_called, results.learners)]
-    rows = []
-    for scene in results.telling[teacher.name]:
-        told, link = results.scenes[scene], links.get(scene)
-        name = f"[{link.name} ↗](<{link.path}>)" if link else f"{told.family}, {scene}"
-        picks = [_pick(results, teacher, learner, scene, pairs) for learner in results.learners]
-        rows.append([name, action_label(told.best[teacher.name]), *picks])
+    rows = telling_rows(results, links, teacher, pairs)
     tells = table(heads, "l" * len(heads), rows) if rows else ["No learner has regret anywhere."]
     commands = [line for link in links.values() for line in link.commands]
     how = [
@@ -164,20 +109,6 @@ def scenes_page(results: StudyResults, links: Links, teacher: Teacher, pairs: in
             *how,
         ]
     )
-
-
-def _pick(results: StudyResults, teacher: Teacher, learner: str, scene: int, pairs: int) -> str:
-    """What a learner picks in a scene, the regret, and how many seeds say so."""
-    regrets = results.scene_regrets(teacher, learner, pairs)
-    if regrets is None or scene not in regrets.scenes:
-        return "–"
-    at = int(np.flatnonzero(regrets.scenes == scene)[0])
-    family = results.scenes[scene].family
-    percent = float(results.percents(teacher, family, regrets.regret[at]))
-    told = f"{percent:.{0 if percent >= 10.0 else 1}f} %"
-    if percent < LEAST_PERCENT:
-        told = f"< {number(LEAST_PERCENT)} %" if percent > 0.0 else "0 %"
-    return f"{action_label(regrets.picks[at])}, {told} ({regrets.runs[at]})"
 
 
 def about_study_page(

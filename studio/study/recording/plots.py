@@ -54,7 +54,7 @@ def log_pair_plot(
         marks += [(curve.learner, f"seed {seed}", pale, 0.0, 1.8) for seed in seeds]
         numbers.append(np.stack([found] * 3))
     if plot.truth is not None:
-        marks.append(("", "truth", LIGHT.ink, 1.5, 0.0))
+        marks.append(("", "truth", LIGHT.ink, 1.5, 1.8))
         numbers.append(np.stack([plot.truth[:, None]] * 3))
     if plot.place is not np.asarray:
         thin = [blend(colour, LIGHT.ink, 0.6) for colour in pens]

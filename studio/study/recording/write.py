@@ -6,8 +6,7 @@ editions.
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -72,13 +71,14 @@ def write_study_recording(
             log_calibration(stream, results, teacher)
             if results.shaped:
                 log_shapes(stream, results, teacher, scales)
-            name = teacher.name
-            _log_changing_page(
-                stream, results, entities.page(name), partial(teacher_page, results, teacher)
-            )
-            if results.scenes:
-                page = partial(scenes_page, results, links or {}, teacher)
-                _log_changing_page(stream, results, entities.scenes_about(name), page)
+            for pairs in results.sizes:
+                stream.set_time(entities.TIMELINE, sequence=pairs)
+                page = teacher_page(results, teacher, pairs)
+                log_page(stream, entities.page(teacher.name), page, static=False)
+                if results.scenes:
+                    page = scenes_page(results, links or {}, teacher, pairs)
+                    log_page(stream, entities.scenes_about(teacher.name), page, static=False)
+            stream.reset_time()
         log_page(stream, entities.SUMMARY, study_summary_page(results))
         log_page(stream, entities.ABOUT, about_study_page(results, settings, versions))
 
@@ -109,16 +109,6 @@ def log_study_properties(
     )
     if settings:
         stream.send_property("settings", rr.AnyValues(**settings))
-
-
-def _log_changing_page(
-    stream: rr.RecordingStream, results: StudyResults, path: str, page: Callable[[int], str]
-) -> None:
-    """Add a page of Markdown, written anew for each number of pairs."""
-    for pairs in results.sizes:
-        stream.set_time(entities.TIMELINE, sequence=pairs)
-        log_page(stream, path, page(pairs), static=False)
-    stream.reset_time()
 
 
 def _identity(results: StudyResults, settings: Mapping[str, Any]) -> str:

@@ -280,7 +280,8 @@ def test_the_page_of_scenes_tells_of_those_that_differ_most(
         assert "make 0" in part
         assert len(found[teacher]) == 3
         for scene in found[teacher]:
-            assert f"[doorway-0-{scene} ↗](<scenes/doorway-0-{scene}.rrd>)" in part
+            name = f"{['doorway', 'open'][scene % 2]} {scene} ↗"
+            assert f"[{name}](<scenes/doorway-0-{scene}.rrd>)" in part
             (each,) = (
                 one
                 for one in scene_regrets(table)
@@ -288,7 +289,7 @@ def test_the_page_of_scenes_tells_of_those_that_differ_most(
             )
             (at,) = np.flatnonzero(each.scenes == scene)
             percent = 100.0 * float(each.regret[at]) / RANDOM_REGRET[["doorway", "open"][scene % 2]]
-            (row,) = (line for line in part.splitlines() if f"[doorway-0-{scene} ↗]" in line)
+            (row,) = (line for line in part.splitlines() if f"[{name}]" in line)
             assert "| stop | " in row
             said = f"{percent:.{0 if percent >= 10.0 else 1}f} %" if percent > 0.0 else "0 %"
             assert row.endswith(f"| {each.picks[at]}, {said} ({each.runs[at]}) |")
