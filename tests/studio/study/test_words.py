@@ -32,18 +32,18 @@ def with_shifts(
         (
             {"eu": 0.0, "tk": -0.5, "strong": -0.5},
             0.1,
-            "CPT has less regret than EU for T&K and Strong, for EU it is open",
+            "CPT has less regret than EU for teachers T&K and Strong, open for EU",
         ),
         (
             {"eu": 0.5, "tk": -0.5, "strong": 0.0},
             0.1,
-            "CPT has less regret than EU for T&K, EU has less regret than CPT for EU, "
-            "for Strong it is open",
+            "CPT has less regret than EU for teacher T&K, "
+            "EU has less regret than CPT for teacher EU, open for Strong",
         ),
         (
             {"eu": 0.5, "tk": 0.5, "strong": 0.5},
             0.1,
-            "EU has less regret than CPT for EU, T&K and Strong",
+            "EU has less regret than CPT for teachers EU, T&K and Strong",
         ),
         # a mean below 0 whose interval holds 0 states nothing
         (
