@@ -13,11 +13,12 @@ import pytest
 from rerun.chunk import RrdReader
 
 import studio.study.run
-from learners import FEATURES
+from learners import FEATURES, TEACHERS
 from scenes import Noise
 from scenes.bank import BankPlan, write_bank
+from studio import Studio, open_recording
 from studio.errors import InputError
-from studio.orchestrator import Studio
+from studio.study.recording.entities import scenes_about
 from tests.command_line import run
 
 CONTRACT = [
@@ -56,20 +57,22 @@ def test_learn_writes_table_pictures_and_recording(bank: Path, tmp_path: Path) -
 
 
 def page_of_scenes(out: Path) -> str:
-    """The page of scenes at the largest number of pairs."""
-    pages = {}
-    for chunk in RrdReader(out / "learning.rrd").stream().filter(content="/scenes").to_chunks():
-        columns = chunk.to_record_batch().to_pydict()
-        pages |= dict(zip(columns["pairs"], columns["TextDocument:text"], strict=True))
-    [text] = pages[max(pages)]
-    return str(text)
+    """The pages of scenes at the largest number of pairs, of all teachers."""
+    texts: list[str] = []
+    for teacher in TEACHERS:
+        pages: dict[int, Any] = {}
+        stream = RrdReader(out / "learning.rrd").stream()
+        for chunk in stream.filter(content=f"/{scenes_about(teacher)}").to_chunks():
+            columns = chunk.to_record_batch().to_pydict()
+            pages |= dict(zip(columns["pairs"], columns["TextDocument:text"], strict=True))
+        texts += pages[max(pages)] if pages else []
+    return "\n".join(texts)
 
 
 def outcomes_of(recording: Path) -> dict[str, list[Any]]:
     """What a scene's own recording says of its outcomes."""
-    [chunk] = RrdReader(recording).stream().filter(content="/outcomes").to_chunks()
-    columns: dict[str, list[Any]] = chunk.to_record_batch().to_pydict()
-    return {name: rows[0] for name, rows in columns.items() if not name.startswith("rerun")}
+    outcomes: dict[str, list[Any]] = open_recording(recording).to_arrow().to_pydict()
+    return outcomes
 
 
 def test_scenes_that_are_told_of_have_recordings_of_the_very_rollouts_of_the_bank(
