@@ -4,7 +4,7 @@ The outcomes of a prospect are a sample of what may happen. Another sample would
 value; and since the weights of rare outcomes bend, a sample's value is off on average, too.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -17,7 +17,7 @@ _MOST_AT_ONCE = 2_000_000  # numbers in the largest array
 
 
 def resampled_values(
-    utilities: FloatArray, parameters: CptParameters, counts: IntArray
+    utilities: FloatArray, people: Sequence[CptParameters], counts: IntArray
 ) -> FloatArray:
     """Values of prospects in which every outcome is there as often as it was drawn.
 
@@ -27,29 +27,33 @@ def resampled_values(
 
     Args:
         utilities: [A, K], one utility per outcome.
-        parameters: of the person who values them.
+        people: the parameters of N people who value them.
         counts: [R, K], how often each of the K outcomes was drawn in each of R draws, for all
             prospects alike; all draws are of the same size, above 0.
 
     Returns:
-        [R, A].
+        [N, R, A].
     """
     size = int(counts[0].sum())
     # a draw cuts the ranked outcomes at multiples of 1/size, so there are few weights to know
     shares = np.arange(size + 1) / size
-    of_losses, of_gains = weight(shares, parameters.delta), weight(shares, parameters.gamma)[::-1]
-    values = np.empty((len(counts), len(utilities)))
+    weights = [(weight(shares, each.delta), weight(shares, each.gamma)[::-1]) for each in people]
+    by_outcome = np.ascontiguousarray(counts.T, dtype=np.int32)  # (K, R)
+    values = np.empty((len(people), len(counts), len(utilities)))
     for index, outcomes in enumerate(utilities):
         order = np.argsort(outcomes, kind="stable")
-        felt = value(outcomes[order], parameters)
-        losses = int((felt < 0.0).sum())
-        for rows in _slices(len(counts), counts.shape[1] + 1):
-            drawn = counts[rows][:, order]
-            worse = np.zeros((len(drawn), len(felt) + 1), dtype=np.int64)
-            np.cumsum(drawn, axis=1, out=worse[:, 1:])
-            lost = np.diff(of_losses[worse[:, : losses + 1]]) @ felt[:losses]
-            gained = np.diff(of_gains[worse[:, losses:]]) @ -felt[losses:]
-            values[rows, index] = lost + gained
+        ranked = outcomes[order]
+        losses = int((ranked < 0.0).sum())
+        for draws in _slices(len(counts), len(ranked) + 1):
+            worse = np.zeros((len(ranked) + 1, len(counts[draws])), dtype=np.int32)
+            np.cumsum(by_outcome[order, draws], axis=0, out=worse[1:])
+            for place, (person, (of_losses, of_gains)) in enumerate(
+                zip(people, weights, strict=True)
+            ):
+                felt = value(ranked, person)
+                lost = felt[:losses] @ np.diff(of_losses[worse[: losses + 1]], axis=0)
+                gained = -felt[losses:] @ np.diff(of_gains[worse[losses:]], axis=0)
+                values[place, draws, index] = lost + gained
     return values
 
 

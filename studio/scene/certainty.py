@@ -8,6 +8,7 @@ same scene did in 94 %. `studio.scene.reference` simulates those.
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -56,6 +57,7 @@ def interval(samples: FloatArray) -> tuple[FloatArray, FloatArray]:
     return low, high
 
 
+@lru_cache(maxsize=2)
 def resampled_counts(size: int, pool: int) -> IntArray:
     """How often each of `pool` rollouts is there when `size` of them are drawn, [R, pool].
 
@@ -63,4 +65,6 @@ def resampled_counts(size: int, pool: int) -> IntArray:
     The draws depend on nothing but the two numbers.
     """
     generator = np.random.Generator(np.random.Philox(np.random.SeedSequence([size, pool])))
-    return generator.multinomial(size, np.full(pool, 1.0 / pool), size=RESAMPLES)
+    counts = generator.multinomial(size, np.full(pool, 1.0 / pool), size=RESAMPLES)
+    counts.setflags(write=False)
+    return counts

@@ -199,12 +199,12 @@ def judge(
     worths = utilities(rollouts)
     pool = worths if reference is None else reference
     counts = resampled_counts(rollouts.count, pool.shape[1])
+    resampled = resampled_values(pool, tuple(profiles.values()), counts)
     judgements = []
-    for teacher, parameters in profiles.items():
+    for (teacher, parameters), draws in zip(profiles.items(), resampled, strict=True):
         values = prospect_value(worths, parameters)
-        resampled = resampled_values(pool, parameters, counts)
         many = None if reference is None else _held_against(reference, parameters, rollouts.count)
-        judgements.append(Judgement(teacher, parameters, values, resampled, many))
+        judgements.append(Judgement(teacher, parameters, values, draws, many))
     return tuple(judgements)
 
 

@@ -33,7 +33,7 @@ def test_a_draw_is_worth_what_its_outcomes_are_worth(seed, outcomes, size, teach
     drawn = np.random.default_rng(seed + 1).integers(outcomes, size=(4, size))
     counts = np.array([np.bincount(draw, minlength=outcomes) for draw in drawn])
     expected = [prospect_value(worths[:, draw], parameters) for draw in drawn]
-    found = resampled_values(worths, parameters, counts)
+    [found] = resampled_values(worths, (parameters,), counts)
     np.testing.assert_allclose(found, expected, atol=1e-12)
 
 
@@ -41,7 +41,7 @@ def test_a_draw_is_worth_what_its_outcomes_are_worth(seed, outcomes, size, teach
 def test_samples_are_worth_on_average_what_is_foretold(teacher: str) -> None:
     worths, parameters, size = some_utilities(0, 40), PROFILES[teacher], 12
     counts = np.random.default_rng(2).multinomial(size, np.full(40, 1 / 40), size=40_000)
-    values = resampled_values(worths, parameters, counts)
+    [values] = resampled_values(worths, (parameters,), counts)
     error = 5.0 * values.std(axis=0) / math.sqrt(len(values))
     foretold = expected_sample_value(worths, parameters, size)
     assert (np.abs(foretold - values.mean(axis=0)) < error).all()

@@ -25,7 +25,8 @@ def coverage(worths: list[FloatArray], teacher: str, pool: int) -> float:
     """In what share of cases intervals hold the value that fifty other rollouts have."""
     counts, held = resampled_counts(FEW, pool), []
     for each in worths:
-        low, high = interval(resampled_values(each[:, :pool], PROFILES[teacher], counts))
+        [drawn] = resampled_values(each[:, :pool], (PROFILES[teacher],), counts)
+        low, high = interval(drawn)
         others = each[:, REFERENCE_ROLLOUTS:].reshape(len(each), -1, FEW)
         values = prospect_value(others, PROFILES[teacher]).T
         held.append(((low <= values) & (values <= high)).mean())
