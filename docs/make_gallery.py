@@ -50,10 +50,10 @@ def draw_comparison(studio: Studio) -> None:
 
 def draw_study(studio: Studio) -> None:
     """The picture of a study, the figure for a paper, and the recording."""
-    _, picture, second, recording, *_ = studio.learn(figure=PICTURES / "curves.svg").files
+    _, picture, recording, second, *_ = studio.learn(figure=PICTURES / "curves.svg").files
     picture.replace(PICTURES / "learning.png")
     second.replace(PICTURES / "learning_2.png")
-    show(recording, "pairs", 2000, {"T&K": "learning_recording", "Families": "families"})
+    show(recording, "pairs", 2000, {"T&K": "learning_recording", "Families of T&K": "families"})
 
 
 def save_frame(studio: Studio, recording: Path, seconds: float, path: Path) -> None:
