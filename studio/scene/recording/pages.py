@@ -176,7 +176,7 @@ def _told(rollouts: Rollouts, judgements: tuple[Judgement, ...]) -> dict[str, st
         bias = bias_told(judgements, rollouts.names, count)
         sure = [draws_told(judgements, count), *filter(None, [bias]), *sure]
     return {
-        "name": rollouts.scene.name,
+        "name": rollouts.scene.name.replace("_", " "),
         "people": {0: "nobody", 1: "one person"}.get(people, f"{people} people"),
         "times": counted(count, "time"),
         "sample": sample if rollouts.paths < count else "",
