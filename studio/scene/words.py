@@ -13,8 +13,8 @@ from studio.style.words import (
     alternatives,
     counted,
     number,
+    rounded_number,
     share_told,
-    signed_number,
 )
 
 
@@ -55,10 +55,12 @@ def bias_told(judgements: Sequence[Judgement], names: Sequence[str], count: int)
         return ""
     judgement, worst = max(held_against, key=lambda each: float(np.abs(each[1].bias).max()))
     index = int(np.abs(worst.bias).argmax())
-    off = signed_number(float(worst.bias[index]))
+    off = float(worst.bias[index])
+    where = f"({judgement.label}, {action_label(names[index])})"
+    direction = "too high" if off > 0.0 else "too low"
     return (
-        f"V from {counted(count, 'rollout')} is off on average, at most by {off} "
-        f"({judgement.label}, {action_label(names[index])}), held against "
+        f"On average, {counted(count, 'rollout')} give V {direction} by up to "
+        f"{rounded_number(abs(off), 3, '.3f')} {where}, held against "
         f"{counted(worst.rollouts, 'rollout')}."
     )
 

@@ -58,12 +58,6 @@ def signed(value: float) -> str:
     return text if text.strip("+−0.") else "0.00"
 
 
-def signed_number(value: float) -> str:
-    """A number with three decimals and its sign; one that rounds to 0 has no sign."""
-    text = number(value, "+.3f")
-    return text if text.strip("+−0.") else "0.000"
-
-
 def estimate_told(value: float, low: float, high: float) -> str:
     """An estimate with its 95 % interval, in three decimals: "0.142 [0.120, 0.161]"."""
     ends = (rounded_number(end, 3, ".3f") for end in (value, low, high))

@@ -134,10 +134,10 @@ def _notes(judgements: Sequence[Judgement]) -> list[str]:
     mark = "Marks below the dots"
     what = "the sure utility that is worth as much to a teacher as the action"
     return [
-        f"{mark}: {what} (certainty equivalent of V) · lines and brackets: 95 % intervals",
-        f"{mark}: {what} · brackets: 95 % intervals",
-        f"{mark}: certainty equivalents of V · brackets: 95 % intervals",
-        "Marks: certainty equivalents of V, with 95 % intervals",
+        f"{mark}: {what} · brackets: what other rollouts give in 95 % of draws",
+        f"{mark}: {what} · brackets: 95 % of other rollouts' draws",
+        f"{mark}: certainty equivalents of V · brackets: 95 % of draws of other rollouts",
+        "Marks: certainty equivalents of V · brackets: 95 % of draws",
         "Marks: certainty equivalents",
     ]
 

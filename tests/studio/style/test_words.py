@@ -7,7 +7,6 @@ from studio.style.words import (
     rounded_number,
     share_told,
     signed,
-    signed_number,
 )
 
 
@@ -30,11 +29,6 @@ def test_estimates_come_with_their_interval():
     assert estimate_told(0.1416, 0.12, -0.00001) == "0.142 [0.120, 0.000]"
     assert estimate_told(-0.25, -0.5, 0.0) == "−0.250 [−0.500, 0.000]"
     assert share_told(0.12, 0.056, 0.238) == "12 % [6, 24]"
-    assert [signed_number(value) for value in (0.059, -0.2, -0.0001)] == [
-        "+0.059",
-        "−0.200",
-        "0.000",
-    ]
 
 
 def test_what_is_open_is_told_as_alternatives():

@@ -57,7 +57,7 @@ def test_pages_tell_how_far_values_are_off(rollouts: Rollouts) -> None:
     reference = np.tile(utilities(rollouts), (1, 40))
     judgements = judge(rollouts, reference=reference)
     assert "held against 120 rollouts" in scene_summary(rollouts, judgements)
-    assert "V from 3 rollouts is off on average" in scene_page(rollouts, judgements, {})
+    assert "On average, 3 rollouts give V too " in scene_page(rollouts, judgements, {})
 
 
 def test_the_summary_says_how_the_usual_teachers_judge(rollouts: Rollouts) -> None:
