@@ -48,26 +48,6 @@ def bars_view(path: str, title: str, behind: str | None = None) -> rrb.View:
     )
 
 
-def log_curves(
-    stream: rr.RecordingStream,
-    path: str,
-    times: Sequence[rr.TimeColumn],
-    values: FloatArray,
-    names: Sequence[str],
-    colours: Sequence[Colour],
-    *,
-    width: float = 2.0,
-) -> None:
-    """Add N curves over T times to a recording: values [T, N], a name and a colour each.
-
-    The width is that of the lines, px. A value that is not a number leaves a gap.
-    """
-    style = rr.SeriesLines(colors=list(colours), names=list(names), widths=width)
-    stream.log(path, style, static=True)
-    columns = rr.Scalars.columns(scalars=values.ravel())
-    stream.send_columns(path, times, columns.partition([values.shape[1]] * len(values)))
-
-
 def log_bands(
     stream: rr.RecordingStream,
     path: str,

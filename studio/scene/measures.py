@@ -99,11 +99,6 @@ def poses_at(rollouts: Rollouts, index: int, steps: IntArray) -> FloatArray:
     return poses
 
 
-def first_contacts(rollouts: Rollouts, index: int) -> FloatArray:
-    """Poses at which the robots under one action first touch something, [N, 3], m and rad."""
-    return poses_at(rollouts, index, rollouts.contact_step[index])
-
-
 def bin_edges(measure: Measure) -> FloatArray:
     """Edges of the bins of a measure, [B+1]: round ones, 0 among them, which hold all values."""
     values, least = measure.values, _LEAST_RANGES[measure.feature]

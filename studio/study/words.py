@@ -18,11 +18,6 @@ def teacher_called(teacher: Teacher) -> str:
     return f"{teacher_name(teacher.name)} teacher"
 
 
-def short_teacher_called(teacher: Teacher) -> str:
-    """The same, short enough for the title of a view."""
-    return f"{short_teacher_name(teacher)} teacher"
-
-
 def learner_called(learner: str) -> str:
     """A learner as sentences call it, for example "CPT learner"."""
     return f"{learner_name(learner)} learner"

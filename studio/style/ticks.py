@@ -41,14 +41,6 @@ def round_range(low: float, high: float) -> tuple[float, float]:
     return math.floor(low / step + 1e-6) * step, math.ceil(high / step - 1e-6) * step
 
 
-def round_ticks(low: float, high: float) -> tuple[float, ...]:
-    """A few round values, 0 among them, that hold everything from `low` to `high`."""
-    low, high = min(low, 0.0), max(high, 0.0)
-    step = round_step(high - low or 1.0, 5)
-    first, last = math.floor(low / step + 1e-9), max(math.ceil(high / step - 1e-9), 1)
-    return tuple(float(f"{step * place:.6g}") for place in range(first, last + 1))
-
-
 def decades(low: float, high: float) -> list[float]:
     """The powers of ten from `low` to `high`; where they are few, 3, or 2 and 5, times them too."""
     for digits in ((1,), (1, 3), (1, 2, 5)):
@@ -56,9 +48,3 @@ def decades(low: float, high: float) -> list[float]:
         if len(found) >= 3:
             break
     return found
-
-
-def doublings(low: float, high: float) -> list[float]:
-    """Powers of two, from the largest up to `low` to the smallest that is at least `high`."""
-    powers = range(math.floor(math.log2(low)), math.ceil(math.log2(high)) + 1)
-    return [2.0**power for power in powers]

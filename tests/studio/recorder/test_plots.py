@@ -8,7 +8,7 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from studio.recorder.contents import Contents, read_contents
-from studio.recorder.plots import log_bands, log_bars, log_curves, log_rows, log_states
+from studio.recorder.plots import log_bands, log_bars, log_rows, log_states
 from studio.recorder.stream import recording_to
 from studio.style.palette import ACTION_COLOURS, LIGHT
 from tests.entities import read_entities
@@ -23,7 +23,6 @@ def path(tmp_path: Path) -> Path:
     with recording_to(path, "plots", "plots", rrb.Blueprint()) as stream:
         edges = np.array([0.0, 0.5, 1.5])
         log_bars(stream, "bars", edges, [3, 4], LIGHT.contact)
-        log_curves(stream, "curves", TIMES, VALUES, "ab", ACTION_COLOURS[:2])
         log_bands(stream, "bands", TIMES, VALUES, 0.5 + 0.0 * VALUES, "ab", ACTION_COLOURS[:2])
         states = [("free", "wall"), ("person", "free"), ("free", "free")]
         log_states(stream, "states", TIMES, states, {"free": LIGHT.grid, "wall": LIGHT.wall})
@@ -44,10 +43,6 @@ def test_bars_stand_between_their_edges(path: Path) -> None:
     assert abscissa["buffer"] == [0.0, 0.5]
     (values,) = bars["BarChart:values"][0]
     assert values["buffer"] == [3, 4]
-
-
-def test_curves_have_their_values_at_all_times(contents: Contents) -> None:
-    np.testing.assert_array_equal(contents.over_time("/curves", "Scalars:scalars", "step"), VALUES)
 
 
 def test_bands_reach_as_far_as_was_said(contents: Contents) -> None:

@@ -2,13 +2,7 @@ import numpy as np
 
 from scenes import FEATURES, load_scene, simulate
 from scenes.features import CLEARANCE_SCALE
-from studio.scene.measures import (
-    first_contacts,
-    gap_over_time,
-    measures,
-    progress_over_time,
-    touched_by,
-)
+from studio.scene.measures import gap_over_time, measures, progress_over_time, touched_by
 from tests.studio.scene.made_up import make_rollouts
 
 
@@ -41,5 +35,3 @@ def test_contacts_last_from_the_step_at_which_they_begin() -> None:
         [False] * 3,
         [True, False, False],
     ]
-    np.testing.assert_array_equal(first_contacts(rollouts, 0), rollouts.robot[0, :1, 2])
-    assert first_contacts(rollouts, 1).shape == (0, 3)
