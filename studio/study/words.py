@@ -195,9 +195,9 @@ def verdicts(stage: Stage, teacher: Teacher) -> list[str]:
     ours, theirs = map(learner_name, results.paired)
     times = f"{ours}'s regret is {number(found.ratio, '.2f')} × {theirs}'s"
     brief = f"{ours} {number(found.ratio, '.2f')} × {theirs}"
-    if not math.isfinite(found.ratio):
-        times, brief = f"{ours}'s regret less {theirs}'s", f"{ours} − {theirs}"
     shift, low, high = map(signed, (found.difference, found.low, found.high))
+    if not math.isfinite(found.ratio) or shift == signed(0.0):
+        times, brief = f"{ours}'s regret − {theirs}'s", f"{ours} − {theirs}"
     interval = f" [{low}, {high}]" if found.runs > 1 else ""
     return [
         f"At {reached(stage)} {times}: {shift} percentage points{interval}",

@@ -122,6 +122,7 @@ def test_wordings_of_a_verdict_get_shorter_and_tell_the_same() -> None:
 def test_regrets_of_nothing_have_no_ratio() -> None:
     stage = StudyResults(study_table(regret_percent=0.0), THREE).stages[-1]
     assert verdicts(stage, TK)[-1] == "CPT − EU: 0.00"
+    assert not any("less" in said or "×" in said for said in verdicts(stage, TK))
 
 
 def test_a_study_without_fits_reached_nothing() -> None:
