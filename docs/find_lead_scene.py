@@ -2,7 +2,7 @@
 
 It must be a scene in which the three teachers pick at least two different actions, and in which all
 of that is sure: another fifty rollouts lead to the same pick in at least 95 % of draws, and two
-thousand rollouts lead to it, too. Among nine thousand generated scenes there was none: a risk that
+thousand rollouts lead to it, too. Among thousands of generated scenes there was none: a risk that
 some people take is rare enough to be missing from some samples of fifty. It takes a risk that costs
 much when it comes. Here the robot drives between two groups who stand and wait, and where it drifts
 aside it touches several people at once. The search tries how many wait, how far apart, and how wide
