@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -100,20 +101,19 @@ class Judgement:
     @property
     def certainty_equivalent_interval(self) -> tuple[FloatArray, FloatArray]:
         """What 95 % of the draws give for the certainty equivalents: both ends, [A] each."""
-        low, high = interval(self.resampled)
-        return self._sure_utilities(low), self._sure_utilities(high)
+        return self._sure_utilities(self.low), self._sure_utilities(self.high)
 
     @property
     def low(self) -> FloatArray:
         """What 2.5 % of the draws of rollouts lie below, for each value V, [A]."""
-        return interval(self.resampled)[0]
+        return self._interval[0]
 
     @property
     def high(self) -> FloatArray:
         """What 2.5 % of the draws of rollouts lie above, for each value V, [A]."""
-        return interval(self.resampled)[1]
+        return self._interval[1]
 
-    @property
+    @cached_property
     def shares(self) -> FloatArray:
         """In what share of the draws of rollouts the teacher would pick each action, [A]."""
         picks = self.resampled.argmax(axis=1)
@@ -154,6 +154,10 @@ class Judgement:
         values, resampled = self.values[taken], self.resampled[:, taken]
         reference = self.reference and self.reference.of(taken)
         return replace(self, values=values, resampled=resampled, reference=reference)
+
+    @cached_property
+    def _interval(self) -> tuple[FloatArray, FloatArray]:
+        return interval(self.resampled)
 
     def _sure_utilities(self, values: FloatArray) -> FloatArray:
         own = self.parameters

@@ -8,6 +8,7 @@ from studio.painter.canvas import Canvas
 from studio.painter.lettering import SEMIBOLD
 from studio.scene.picture.titles import draw_heading
 from studio.study.picture.heads import draw_teacher_head, teacher_head_height
+from studio.study.picture.panels import draw_notes, notes_height, title_room
 from studio.study.picture.progress import draw_regret
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
@@ -19,8 +20,6 @@ SIZE = (1600, 900)
 
 MOST_TEACHERS = 4
 """Panels of more teachers would be too narrow to read."""
-
-_NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 
 
 @dataclass(frozen=True)
@@ -59,15 +58,12 @@ def lay_out_finding(
     results = results.among(results.teachers[:MOST_TEACHERS])
     canvas = Canvas(*size, theme)
     kind, unit, page = canvas.type, canvas.unit, canvas.page
-    widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
-    room = page.width - max(widths) - kind.title
+    room = title_room(canvas, results)
     # the title differs from stage to stage
     heading = draw_heading(canvas, page, [""], study_subtitles(results, left_out), room)
     notes = canvas.wrapped([*finding_notes(results), *more_notes], page.width, kind.small)
-    top = page.bottom - len(notes) * _NOTE_STEP * kind.small
-    for index, line in enumerate(notes):
-        at = (page.left, top + index * _NOTE_STEP * kind.small)
-        canvas.text(at, line, kind.small, canvas.theme.faint, line="top")
+    top = page.bottom - notes_height(canvas, len(notes))
+    draw_notes(canvas, page.left, top, notes)
     body = Box(page.left, heading.bottom + 18 * unit, page.right, top - 12 * unit)
     panels = []
     boxes = _panels(body, max(len(results.teachers), 1), canvas.gap)

@@ -16,6 +16,7 @@ from studio.scene.picture.titles import draw_heading
 from studio.study.picture.finding import MOST_TEACHERS, SIZE
 from studio.study.picture.heads import draw_teacher_head, teacher_head_height
 from studio.study.picture.minds import draw_calibration, draw_reward, draw_risk, draw_shapes
+from studio.study.picture.panels import draw_notes, notes_height, title_room
 from studio.study.picture.progress import draw_agreement
 from studio.study.picture.scales import Scales
 from studio.study.results import Stage, StudyResults
@@ -24,7 +25,6 @@ from studio.style.palette import LIGHT, Theme, learner_pen
 from studio.style.words import learner_name
 
 _BETWEEN = 14  # from row to row of plots, in units of the page
-_NOTE_STEP = 1.25  # from line to line of the notes, in sizes of their type
 _NARROW = 29  # a column narrower than this many sizes of small type has one plot a row
 _LOW = 34  # such a column has no room for errors if it is lower than this many sizes of small type
 
@@ -78,9 +78,8 @@ def lay_out_study(
     left_out = len(results.teachers[MOST_TEACHERS:])
     results = results.among(results.teachers[:MOST_TEACHERS])
     canvas = Canvas(*size, theme)
-    kind, unit, page = canvas.type, canvas.unit, canvas.page
-    widths = [canvas.measure(reached(stage), kind.title, SEMIBOLD) for stage in results.stages]
-    room = page.width - max(widths) - kind.title
+    unit, page = canvas.unit, canvas.page
+    room = title_room(canvas, results)
     heading = draw_heading(
         canvas, page, study_titles(results), study_subtitles(results, left_out), room
     )
@@ -89,7 +88,7 @@ def lay_out_study(
         len(_note_lines(canvas, page, stage, (*error_notes(stage), *more_notes)))
         for stage in results.stages
     )
-    notes_top = page.bottom - lines * _NOTE_STEP * kind.small
+    notes_top = page.bottom - notes_height(canvas, lines)
     notes_box = Box(page.left, notes_top, page.right, page.bottom)
     body = Box(page.left, heading.bottom + 16 * unit, page.right, notes_top - 8 * unit)
     boxes = body.columns([1.0] * max(len(results.teachers), 1), canvas.gap)
@@ -163,9 +162,8 @@ def draw_stage(page: StudyPage, stage: Stage) -> Canvas:
     more = page.more_notes
     if any(column.calibration is not None for column in page.columns):
         more = (*error_notes(stage), *more)
-    for index, line in enumerate(_note_lines(canvas, page.notes, stage, more)):
-        top = page.notes.top + index * _NOTE_STEP * kind.small
-        canvas.text((page.notes.left, top), line, kind.small, canvas.theme.faint, line="top")
+    lines = _note_lines(canvas, page.notes, stage, more)
+    draw_notes(canvas, page.notes.left, page.notes.top, lines)
     return canvas
 
 
